@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/body/Mannequin.h"
+#include "core/pattern/Pattern.h"
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace toile::batch {
+
+/// The commands of toile-cli as functions: options in, exit status out (Console.h). Results go to stdout and files,
+/// errors to stderr.
+
+[[nodiscard]] int check(const std::vector<std::string>& files);
+
+struct MeshOptions {
+    std::string file;
+    std::optional<double> spacing; ///< [m]
+    std::optional<pattern::LineRule> rule;
+    std::string piece;             ///< only this one; empty = all
+    int repeat = 1;                ///< runs whose median time is reported
+    std::string out, report;
+};
+[[nodiscard]] int mesh(const MeshOptions& options);
+
+struct SewOptions {
+    std::string file, avatar;
+    std::optional<double> spacing; ///< [m]
+    std::optional<double> seconds; ///< [s]; absent = until rest
+    double limit = 20;             ///< [s]
+    std::optional<double> step;    ///< frame step [s]
+    int substeps = 0;              ///< 0 = chosen from the mesh
+    std::string method = "xpbd";   ///< a name of sewMethods()
+    bool arrange = false;          ///< pieces that would start in the body are moved out of it
+    bool strict = false;           ///< refuses a start that overlaps the body or itself
+    int threads = 1;               ///< asked for; this version computes on one
+    std::string out, report;
+    std::vector<std::string> pictures;
+    bool quiet = false;
+};
+[[nodiscard]] int sew(const SewOptions& options, std::stop_token stop);
+/// The methods that the command line names; those that are not offered yet are refused with a sentence.
+[[nodiscard]] const std::vector<std::string>& sewMethods();
+
+struct AvatarOptions {
+    body::Measurements measurements;
+    std::string out;
+};
+[[nodiscard]] int avatar(const AvatarOptions& options);
+
+struct InspectOptions {
+    std::string file;
+    bool json = false;
+};
+[[nodiscard]] int inspect(const InspectOptions& options);
+
+struct ConvertOptions {
+    std::string in, out;
+};
+[[nodiscard]] int convert(const ConvertOptions& options);
+
+} // namespace toile::batch

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/Console.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace toile::batch {
+namespace {
+
+constexpr int barWidth = 24;
+
+std::string timeLeft(double seconds, double fraction) {
+    if (fraction < 0.02) return "";
+    const int left = static_cast<int>(seconds * (1 - fraction) / fraction);
+    return fmt::format(", {}:{:02} left", left / 60, left % 60);
+}
+
+} // namespace
+
+void printError(const Error& error) { fmt::print(stderr, "{}\n", toString(error)); }
+
+ProgressBar::ProgressBar(bool quiet)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()), last_(start_) {}
+
+ProgressBar::~ProgressBar() {
+    if (shown_ && terminal_) fmt::print(stderr, "\r\x1b[K");
+}
+
+Progress ProgressBar::progress() {
+    if (quiet_) return {};
+    return [this](double fraction, const std::string& what) { show(fraction, what); };
+}
+
+void ProgressBar::show(double fraction, const std::string& what) {
+    const auto now = std::chrono::steady_clock::now();
+    const double between = terminal_ ? 0.1 : 1.0;
+    if (std::chrono::duration<double>(now - last_).count() < between) return;
+    last_ = now;
+    shown_ = true;
+    const double elapsed = std::chrono::duration<double>(now - start_).count();
+    const int full = std::clamp(static_cast<int>(fraction * barWidth), 0, barWidth);
+    const std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %{}  {}", "", full, "", barWidth - full, 100 * fraction,
+                                         timeLeft(elapsed, fraction), what);
+    if (terminal_) fmt::print(stderr, "\r{}\x1b[K", line);
+    else fmt::print(stderr, "{}\n", line);
+    std::fflush(stderr);
+}
+
+} // namespace toile::batch

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/base/Result.h"
+
+#include <chrono>
+#include <string>
+
+namespace toile::batch {
+
+/// Exit statuses that scripts rely on.
+enum ExitStatus {
+    done = 0,
+    inputWrong = 1,  ///< the input is wrong or the work impossible; a sentence on stderr says so
+    usageWrong = 2,
+    goalMissed = 3,  ///< it ran, but a seam stayed open or the cloth did not come to rest
+};
+
+/// Prints "FILE: place: sentence" on stderr.
+void printError(const Error& error);
+
+/// A bar that rewrites its line on a terminal, one plain line a second elsewhere.
+class ProgressBar {
+public:
+    explicit ProgressBar(bool quiet);
+    ~ProgressBar(); ///< ends the line
+
+    [[nodiscard]] Progress progress();
+
+private:
+    void show(double fraction, const std::string& what);
+
+    bool quiet_, terminal_, shown_ = false;
+    std::chrono::steady_clock::time_point start_, last_;
+};
+
+} // namespace toile::batch

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/Commands.h"
+#include "app/batch/Console.h"
+#include "core/io/DocumentFile.h"
+#include "core/io/ToileFile.h"
+
+#include <fmt/format.h>
+
+namespace toile::batch {
+
+int convert(const ConvertOptions& options) {
+    if (std::filesystem::path(options.out).extension() != ".toile") {
+        printError({ErrorCode::unsupported, "Only .toile documents can be written.", {.file = options.out}});
+        return inputWrong;
+    }
+    const auto opened = io::readDocument(options.in);
+    if (!opened) {
+        printError(opened.error());
+        return inputWrong;
+    }
+    for (const Warning& warning : opened->warnings) fmt::print(stderr, "{}: {}\n", warning.place, warning.text);
+    if (const auto written = io::writeToile(opened->document, options.out); !written) {
+        printError(written.error());
+        return inputWrong;
+    }
+    return done;
+}
+
+} // namespace toile::batch

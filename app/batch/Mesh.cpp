@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/Commands.h"
+#include "app/batch/Console.h"
+#include "app/batch/MeshJson.h"
+#include "app/batch/MeshExport.h"
+#include "app/batch/Outputs.h"
+#include "core/io/DocumentFile.h"
+#include "core/base/AtomicFile.h"
+#include "core/simulation/MeshInputOf.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace toile::batch {
+namespace {
+
+/// The pattern with one piece only, without seams to others.
+Result<pattern::Pattern> onlyPiece(const pattern::Pattern& pattern, const std::string& name) {
+    const auto found = std::ranges::find_if(pattern.pieces, [&](const auto& piece) {
+        return piece->id.value == name || piece->name == name;
+    });
+    if (found == pattern.pieces.end()) return fail(ErrorCode::notFound, fmt::format("There is no piece \"{}\".", name));
+    pattern::Pattern alone = pattern;
+    pattern::Piece piece = pattern::resolved(pattern, **found);
+    piece.mirror.reset();
+    alone.pieces = {piece};
+    std::erase_if(alone.seams, [&](const pattern::Seam& seam) {
+        return std::ranges::any_of(seam.sides, [&](const auto& side) {
+            return std::ranges::any_of(side, [&](const auto& part) { return part.piece != piece.id; });
+        });
+    });
+    return alone;
+}
+
+/// Meshes several times and reports the median time of each piece and of all.
+Result<meshing::GarmentMesh> meshRepeatedly(const meshing::MeshInput& input, int repeat) {
+    std::vector<meshing::MeshReport> reports;
+    Result<meshing::GarmentMesh> mesh = meshing::meshGarment(input);
+    for (int run = 1; mesh && run < repeat; ++run) {
+        reports.push_back(mesh->report);
+        mesh = meshing::meshGarment(input);
+    }
+    if (!mesh) return mesh;
+    reports.push_back(mesh->report);
+    const auto median = [&](auto secondsOf) {
+        std::vector<double> seconds;
+        for (const meshing::MeshReport& report : reports) seconds.push_back(secondsOf(report));
+        std::ranges::nth_element(seconds, seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2));
+        return seconds[seconds.size() / 2];
+    };
+    mesh->report.total.seconds = median([](const auto& report) { return report.total.seconds; });
+    for (std::size_t i = 0; i < mesh->report.pieces.size(); ++i)
+        mesh->report.pieces[i].seconds = median([i](const auto& report) { return report.pieces[i].seconds; });
+    return mesh;
+}
+
+void printSummary(const meshing::MeshReport& report) {
+    fmt::print("{:<28}{:>8}{:>8}{:>11}{:>8}{:>7}{:>9}\n", "piece", "nodes", "quads", "triangles", "rect %", "angle", "ms");
+    const auto row = [](const std::string& name, const meshing::PieceReport& piece) {
+        fmt::print("{:<28}{:>8}{:>8}{:>11}{:>8.1f}{:>7.1f}{:>9.2f}\n", name, piece.nodes, piece.quads, piece.triangles,
+                   100 * piece.rectangleFraction, piece.minimumAngle * 57.29577951308232, 1000 * piece.seconds);
+    };
+    for (const meshing::PieceReport& piece : report.pieces) row(piece.label, piece);
+    row("all", report.total);
+    for (const Warning& warning : report.warnings) fmt::print(stderr, "{}: {}\n", warning.place, warning.text);
+}
+
+Result<void> run(const MeshOptions& options) {
+    if (auto out = checkedOutput(options.out, {".obj", ".svg", ".png"}); !out) return out;
+    if (auto out = checkedOutput(options.report, {}); !out) return out;
+    auto opened = io::readDocument(options.file);
+    if (!opened) return tl::unexpected(opened.error());
+    Result<pattern::Pattern> pattern = opened->document.pattern;
+    if (!options.piece.empty()) pattern = onlyPiece(*pattern, options.piece);
+    if (!pattern) return tl::unexpected(pattern.error());
+    const auto input = simulation::meshInputOf(*pattern, {options.spacing, options.rule});
+    if (!input) return tl::unexpected(input.error());
+    const auto mesh = meshRepeatedly(*input, options.repeat);
+    if (!mesh) return tl::unexpected(mesh.error());
+    printSummary(mesh->report);
+    if (!options.out.empty())
+        if (auto written = writeMesh(options.out, *pattern, *mesh); !written) return written;
+    if (!options.report.empty()) return writeFileAtomically(options.report, toText(toJson(mesh->report)));
+    return {};
+}
+
+} // namespace
+
+int mesh(const MeshOptions& options) {
+    if (const auto finished = run(options); !finished) {
+        printError(finished.error());
+        return inputWrong;
+    }
+    return done;
+}
+
+} // namespace toile::batch

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/Commands.h"
+#include "app/batch/Console.h"
+#include "app/batch/Opening.h"
+#include "app/batch/Outputs.h"
+#include "app/batch/Pictures.h"
+#include "core/base/AtomicFile.h"
+#include "core/io/DocumentFile.h"
+#include "core/io/DrapeExport.h"
+#include "core/simulation/Arrange.h"
+#include "core/simulation/Inspect.h"
+#include "core/simulation/Sew.h"
+
+#include <fmt/format.h>
+
+namespace toile::batch {
+namespace {
+
+/// What can be said before any work is done.
+Result<void> checked(const SewOptions& options) {
+    if (options.method != sewMethods().front())
+        return fail(ErrorCode::unsupported, fmt::format("The method \"{}\" is not offered yet: use {}.", options.method,
+                                                        sewMethods().front()));
+    if (auto out = checkedOutput(options.out, {".glb", ".obj", ".ply", ".stl"}); !out) return out;
+    for (const std::string& picture : options.pictures)
+        if (auto out = checkedOutput(picture, {".png"}); !out) return out;
+    return checkedOutput(options.report, {});
+}
+
+void applyOptions(OpenedScene& opened, const SewOptions& options) {
+    simulation::Scene& scene = opened.scene;
+    if (options.step) scene.settings.frameStep = *options.step;
+    if (options.substeps > 0) scene.settings.substeps = options.substeps;
+    if (options.arrange && scene.body) scene.pattern = simulation::startingClearOf(scene.pattern, **scene.body);
+    for (const auto& piece : scene.pattern.pieces)
+        if (!piece->placement)
+            opened.warnings.push_back({fmt::format("piece \"{}\"", piece->name),
+                                       "It is not placed, and starts flat in the plane z = 0."});
+    if (options.threads > 1) opened.warnings.push_back({"--threads", "This version computes on one thread."});
+}
+
+/// How the garment overlaps the body or itself before it moves; empty if it does not.
+std::string overlapAtStart(const simulation::Simulation& simulation) {
+    const simulation::ContactSummary start = simulation::contactOf(simulation);
+    std::string overlap;
+    if (start.bodyPenetrationMaximum > 0 || start.bodyIntersections > 0)
+        overlap = fmt::format("{:.1f} mm inside the body, with {} intersections", 1000 * start.bodyPenetrationMaximum,
+                              start.bodyIntersections);
+    if (start.selfIntersections > 0)
+        overlap += fmt::format("{}with {} intersections with itself", overlap.empty() ? "" : ", and ", start.selfIntersections);
+    return overlap;
+}
+
+/// Error with --strict, else a warning.
+Result<void> judgeStart(OpenedScene& opened, const simulation::Simulation& simulation, const SewOptions& options) {
+    const std::string overlap = overlapAtStart(simulation);
+    if (overlap.empty()) return {};
+    if (options.strict)
+        return fail(ErrorCode::invalidInput, fmt::format("The garment starts {}: place its pieces clear of it, or leave out --strict.",
+                                                         overlap), {.file = options.file});
+    opened.warnings.push_back({"start", fmt::format("The garment starts {}.", overlap)});
+    return {};
+}
+
+Json reportJson(const SewOptions& options, const OpenedScene& opened, const simulation::SewReport& report) {
+    Json json;
+    json.set("document", options.file).set("avatar", opened.avatar.empty() ? Json() : Json(opened.avatar));
+    json.set("method", options.method).set("step", opened.scene.settings.frameStep).set("threads", 1);
+    const Json result = simulation::toJson(report);
+    for (const auto& [key, value] : *result.asObject()) json.set(key, value);
+    return json;
+}
+
+void printSummary(const simulation::SewReport& report) {
+    std::size_t closed = 0;
+    for (const simulation::SeamResult& seam : report.seams) closed += seam.state.merged;
+    fmt::print("{} particles, {} of {} seams closed, {:.2f} s simulated in {:.1f} s; {}{}\n", report.particles, closed,
+               report.seams.size(), report.simulatedSeconds, report.wallSeconds, report.ending,
+               report.residual ? fmt::format(", residual {:.1e}", *report.residual) : "");
+    if (report.contact.bodyClearanceMinimum)
+        fmt::print("{:.1f} mm from the body at the nearest, {} intersections with the body, {} with itself\n",
+                   1000 * *report.contact.bodyClearanceMinimum, report.contact.bodyIntersections,
+                   report.contact.selfIntersections);
+    if (report.worn) {
+        fmt::print("{}\n", report.worn->worn ? "worn" : "not worn:");
+        for (const std::string& why : report.worn->why) fmt::print("  {}\n", why);
+    }
+    for (const Warning& warning : report.warnings) fmt::print(stderr, "{}: {}\n", warning.place, warning.text);
+}
+
+Result<void> writeResults(const SewOptions& options, const OpenedScene& opened, const simulation::Simulation& simulation,
+                          const simulation::SewReport& report) {
+    const simulation::Frame frame = simulation.frame();
+    if (!options.out.empty())
+        if (auto written = io::writeDrape(options.out, *frame.topology, frame.positions); !written) return written;
+    if (!options.pictures.empty())
+        if (auto written = writePictures(options.pictures, frame, opened.scene.body); !written) return written;
+    if (!options.report.empty())
+        return writeFileAtomically(options.report, toText(reportJson(options, opened, report)));
+    return {};
+}
+
+} // namespace
+
+const std::vector<std::string>& sewMethods() {
+    static const std::vector<std::string> names{"xpbd",     "trbdf2", "static", "backward-euler",   "bdf2",
+                                                "midpoint", "sdirk4", "rk4",    "symplectic-euler", "baraff-witkin"};
+    return names;
+}
+
+int sew(const SewOptions& options, std::stop_token stop) {
+    const auto refuse = [](const Error& error) {
+        printError(error);
+        return static_cast<int>(inputWrong);
+    };
+    if (const auto sound = checked(options); !sound) return refuse(sound.error());
+    auto document = io::readDocument(options.file);
+    if (!document) return refuse(document.error());
+    auto opened = openScene(document->document, options.file, options.avatar);
+    if (!opened) return refuse(opened.error());
+    applyOptions(*opened, options);
+    auto simulation = simulation::Simulation::create(opened->scene, {.spacing = options.spacing});
+    if (!simulation) return refuse(simulation.error());
+    if (const auto start = judgeStart(*opened, *simulation, options); !start) return refuse(start.error());
+
+    simulation::SewSettings settings{.seconds = options.seconds, .limit = options.limit};
+    Result<simulation::SewReport> report;
+    {
+        ProgressBar bar(options.quiet);
+        report = simulation::sew(*simulation, settings, stop, bar.progress());
+    }
+    if (!report) return refuse(report.error());
+    report->warnings.insert(report->warnings.begin(), opened->warnings.begin(), opened->warnings.end());
+    printSummary(*report);
+    if (const auto written = writeResults(options, *opened, *simulation, *report); !written) return refuse(written.error());
+    return report->reachedItsGoal(settings) ? done : goalMissed;
+}
+
+} // namespace toile::batch

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/Options.h"
+
+#include <map>
+#include <memory>
+#include <numbers>
+
+namespace toile::cli {
+namespace {
+
+using batch::AvatarOptions;
+using batch::ConvertOptions;
+using batch::InspectOptions;
+using batch::MeshOptions;
+using batch::SewOptions;
+
+constexpr double millimetre = 0.001;
+
+/// An option in millimetres into a value in metres.
+CLI::Option* addLength(CLI::App& command, const std::string& name, double& metres, const std::string& what) {
+    return command.add_option_function<double>(
+        name, [&metres](const double& value) { metres = value * millimetre; }, what);
+}
+
+void addSpacing(CLI::App& command, std::optional<double>& spacing) {
+    command.add_option_function<double>(
+               "--spacing", [&spacing](const double& value) { spacing = value * millimetre; },
+               "main spacing of every piece [mm]")
+        ->check(CLI::Range(0.1, 1000.0));
+}
+
+void declareCheck(CLI::App& app, std::function<int()>& chosen) {
+    auto* command = app.add_subcommand("check", "print the problems of documents, one a line");
+    auto files = std::make_shared<std::vector<std::string>>();
+    command->add_option("FILE", *files, ".toile documents or patterns that can be imported")->required();
+    command->callback([files, &chosen] { chosen = [files] { return batch::check(*files); }; });
+}
+
+void declareMesh(CLI::App& app, std::function<int()>& chosen) {
+    auto* command = app.add_subcommand("mesh", "mesh the pieces and report their quality");
+    auto options = std::make_shared<MeshOptions>();
+    command->add_option("FILE", options->file)->required();
+    addSpacing(*command, options->spacing);
+    const std::map<std::string, pattern::LineRule> rules{{"regular", pattern::LineRule::regular},
+                                                         {"features", pattern::LineRule::features},
+                                                         {"paper", pattern::LineRule::paper}};
+    command->add_option_function<pattern::LineRule>(
+               "--rule", [options](const pattern::LineRule& rule) { options->rule = rule; }, "how scan lines are chosen")
+        ->transform(CLI::CheckedTransformer(rules));
+    command->add_option("--piece", options->piece, "only the piece of this name or id");
+    command->add_option("--repeat", options->repeat, "runs whose median time is reported")->check(CLI::Range(1, 1000));
+    command->add_option("--out", options->out, "write the mesh: .obj, .svg or .png");
+    command->add_option("--report", options->report, "write mesh.json");
+    command->callback([options, &chosen] { chosen = [options] { return batch::mesh(*options); }; });
+}
+
+void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
+    auto* command = app.add_subcommand("sew", "sew the garment round its avatar and drape it");
+    auto options = std::make_shared<SewOptions>();
+    command->add_option("FILE", options->file)->required();
+    command->add_option("--avatar", options->avatar, "a body instead of the document's");
+    addSpacing(*command, options->spacing);
+    auto* seconds = command->add_option_function<double>(
+        "--seconds", [options](const double& value) { options->seconds = value; }, "simulate just so long [s]");
+    seconds->check(CLI::Range(0.0, 3600.0));
+    command->add_flag("--until-rest")->description("simulate until the cloth is at rest (the default)")->excludes(seconds);
+    command->add_option("--limit", options->limit, "give up waiting for rest after so many simulated seconds [s]")
+        ->check(CLI::Range(0.1, 3600.0));
+    command->add_option("--method", options->method, "how time is integrated; this version offers xpbd")
+        ->check(CLI::IsMember(batch::sewMethods()));
+    const auto isAuto = [](const std::string& text) { return std::string(text == "auto" ? "" : "only auto is known"); };
+    command->add_option_function<std::string>(
+               "--arrange", [options](const std::string&) { options->arrange = true; },
+               "auto: pieces that would start in the body are moved out of it (on another avatar they always are)")
+        ->check(isAuto);
+    command->add_flag("--strict", options->strict, "refuse a garment that starts in the body or in itself");
+    command->add_option("--threads", options->threads, "threads to use; this version computes on one whatever is asked")
+        ->check(CLI::Range(1, 1024));
+    command->add_flag("--deterministic")->description("the same result whatever the number of threads; this version always gives it");
+    command->add_option_function<double>(
+               "--step", [options](const double& value) { options->step = value; }, "frame step [s]")
+        ->check(CLI::Range(1e-4, 0.1));
+    command->add_option_function<std::string>(
+        "--substeps",
+        [options](const std::string& text) { options->substeps = text == "auto" ? 0 : std::stoi(text); },
+        "substeps of a frame step, or auto")
+        ->check([](const std::string& text) {
+            const bool number = !text.empty() && text.size() < 5 && text.find_first_not_of("0123456789") == std::string::npos;
+            return text == "auto" || (number && std::stoi(text) > 0) ? "" : "a positive number or auto";
+        });
+    command->add_option("--out", options->out, "write the drape: .glb, .obj, .ply or .stl");
+    command->add_option("--picture", options->pictures, "write pictures; front, back, left, right or top by the file's name")
+        ->delimiter(',')
+        ->allow_extra_args(false); // a FILE behind it is not one more picture
+    command->add_option("--report", options->report, "write sew.json");
+    command->add_flag("--quiet", options->quiet, "no progress");
+    command->callback([options, stop, &chosen] { chosen = [options, stop] { return batch::sew(*options, stop); }; });
+}
+
+void declareAvatar(CLI::App& app, std::function<int()>& chosen) {
+    auto* command = app.add_subcommand("avatar", "compute a mannequin from measurements [mm]");
+    auto options = std::make_shared<AvatarOptions>();
+    body::Measurements& m = options->measurements;
+    addLength(*command, "--height", m.height, "standing height");
+    addLength(*command, "--bust", m.bust, "girth of the bust");
+    addLength(*command, "--under-bust", m.underBust, "girth under the bust");
+    addLength(*command, "--waist", m.waist, "girth of the waist");
+    addLength(*command, "--hip", m.hip, "girth of the hip");
+    addLength(*command, "--neck", m.neck, "girth of the neck");
+    addLength(*command, "--biceps", m.biceps, "girth of the upper arm");
+    addLength(*command, "--wrist", m.wrist, "girth of the wrist");
+    addLength(*command, "--thigh", m.thigh, "girth of the thigh");
+    addLength(*command, "--shoulder-width", m.shoulderWidth, "acromion to acromion");
+    addLength(*command, "--nape-to-waist", m.napeToWaist, "nape to waist level");
+    addLength(*command, "--bust-height", m.bustHeight, "side neck point to bust point");
+    addLength(*command, "--arm", m.arm, "acromion to wrist");
+    addLength(*command, "--inside-leg", m.insideLeg, "crotch to floor");
+    command->add_option_function<double>(
+        "--shoulder-slope", [&m](const double& degrees) { m.shoulderSlope = degrees * std::numbers::pi / 180; },
+        "below the horizontal [degrees]");
+    command->add_option("--out", options->out, "body file: .glb")->required();
+    command->callback([options, &chosen] { chosen = [options] { return batch::avatar(*options); }; });
+}
+
+void declareInspect(CLI::App& app, std::function<int()>& chosen) {
+    auto* command = app.add_subcommand("inspect", "say what is in a file: pieces, seams, lengths, fabrics, bodies");
+    auto options = std::make_shared<InspectOptions>();
+    command->add_option("FILE", options->file)->required();
+    command->add_flag("--json", options->json, "as JSON");
+    command->callback([options, &chosen] { chosen = [options] { return batch::inspect(*options); }; });
+}
+
+void declareConvert(CLI::App& app, std::function<int()>& chosen) {
+    auto* command = app.add_subcommand("convert", "turn a pattern that can be imported into a .toile document");
+    auto options = std::make_shared<ConvertOptions>();
+    command->add_option("IN", options->in)->required();
+    command->add_option("OUT", options->out)->required();
+    command->callback([options, &chosen] { chosen = [options] { return batch::convert(*options); }; });
+}
+
+} // namespace
+
+void declareCommands(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
+    declareCheck(app, chosen);
+    declareMesh(app, chosen);
+    declareSew(app, stop, chosen);
+    declareAvatar(app, chosen);
+    declareInspect(app, chosen);
+    declareConvert(app, chosen);
+}
+
+} // namespace toile::cli

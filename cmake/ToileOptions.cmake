@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The language, the warnings and the sanitizers that every target of ours shares.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+add_library(toile_options INTERFACE)
+target_include_directories(toile_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(toile_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror
+                       -Wno-missing-field-initializers # designated initializers leave fields at their defaults
+                       -Wno-maybe-uninitialized -Wno-restrict) # GCC 12 sees ghosts in std::variant and std::string
+# Fused multiply-add would make results depend on the processor and exact predicates wrong.
+target_compile_options(toile_options INTERFACE -ffp-contract=off)
+# FCL and we must agree on the alignment of Eigen's types whatever flags a build adds.
+# QT_NO_EMIT: oneTBB has functions called emit.
+target_compile_definitions(toile_options INTERFACE EIGEN_MAX_ALIGN_BYTES=16 QT_NO_EMIT)
+
+if(TOILE_SANITIZE)
+    target_compile_options(toile_options INTERFACE -fsanitize=${TOILE_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(toile_options INTERFACE -fsanitize=${TOILE_SANITIZE})
+    if(TOILE_SANITIZE MATCHES "undefined")
+        target_compile_options(toile_options INTERFACE -fno-sanitize-recover=undefined)
+    endif()
+endif()

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# toile_room(NAME [LINKS library...])
+# One room of core: a folder, a namespace, a static library `toile_NAME`. LINKS are public.
+function(toile_room name)
+    cmake_parse_arguments(ROOM "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+    set(code ${sources})
+    list(FILTER code INCLUDE REGEX "\\.cpp$")
+    if(NOT code) # headers only
+        add_library(toile_${name} INTERFACE)
+        target_link_libraries(toile_${name} INTERFACE toile_options ${ROOM_LINKS} ${ROOM_PRIVATE_LINKS})
+        return()
+    endif()
+    add_library(toile_${name} STATIC ${sources})
+    target_link_libraries(toile_${name} PUBLIC toile_options ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE_LINKS})
+endfunction()
+
+# toile_tests(ROOM [LINKS library...])
+# Every tst_<Unit>.cpp of this folder is one QtTest program, labelled with the room: `ctest -L ROOM`.
+function(toile_tests room)
+    cmake_parse_arguments(TESTS "" "" "LINKS" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tst_*.cpp)
+    foreach(source IN LISTS sources)
+        get_filename_component(test ${source} NAME_WE)
+        add_executable(${test} ${source})
+        set_target_properties(${test} PROPERTIES AUTOMOC ON
+                              RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+        target_link_libraries(${test} PRIVATE toile_options ${TESTS_LINKS} Qt6::Test)
+        add_test(NAME ${test} COMMAND ${test})
+        set_tests_properties(${test} PROPERTIES LABELS ${room} TIMEOUT 900
+            ENVIRONMENT "QT_QPA_PLATFORM=offscreen;TOILE_SOURCE_DIR=${CMAKE_SOURCE_DIR};TOILE_BINARY_DIR=${CMAKE_BINARY_DIR}")
+    endforeach()
+endfunction()

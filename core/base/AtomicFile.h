@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Result.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace toile {
+
+/// Writes a whole file so that whoever reads it, and whoever comes after a power cut, finds the old content or the new
+/// one, never a part: a neighbour file is written, flushed to the disk and renamed. A symbolic link keeps pointing at
+/// its target; an existing file keeps its permissions.
+[[nodiscard]] Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+} // namespace toile

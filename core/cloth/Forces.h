@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/cloth/ClothModel.h"
+#include "core/cloth/HessianSink.h"
+
+#include <span>
+
+namespace toile::cloth {
+
+/// Elastic energy by kind of element [J].
+struct ElasticEnergy {
+    double springs = 0;  ///< structural, shear and flexion
+    double bending = 0;  ///< three-point, twist and hinges
+    double membrane = 0; ///< triangles and membrane cells
+    [[nodiscard]] double total() const { return springs + bending + membrane; }
+};
+
+[[nodiscard]] ElasticEnergy elasticEnergy(const ClothModel& model, std::span<const Vec3> positions);
+
+/// Total elastic energy [J]. Slaves are read at their own positions.
+[[nodiscard]] double energy(const ClothModel& model, std::span<const Vec3> positions);
+
+/// Adds −∂E/∂x [N], |particles|. A slave's share stays with the slave: see gatherToMasters.
+void addForces(const ClothModel& model, std::span<const Vec3> positions, std::span<Vec3> forces);
+
+enum class HessianForm {
+    exact,     ///< may be indefinite where cloth is compressed
+    projected, ///< each element's negative part is left out: positive semi-definite
+};
+
+void addHessian(const ClothModel& model, std::span<const Vec3> positions, HessianForm form, HessianSink& sink);
+
+/// Moves what lies on slaves to their masters by their weights, leaving 0.
+void gatherToMasters(const ClothModel& model, std::span<Vec3> forces);
+
+/// Puts slaves where their masters say.
+void placeSlaves(const ClothModel& model, std::span<Vec3> positions);
+
+/// Upper bound of the largest squared angular frequency [1/s²] near rest: Gershgorin rows of M⁻¹K, slaves' shares
+/// given to their masters. 0 for a cloth without elements. Positions are read for hinges only.
+[[nodiscard]] double largestFrequencySquared(const ClothModel& model, std::span<const Vec3> positions = {});
+
+/// The largest such row of K [N/m]: what a displacement of one particle can cause, for the rounding floor of forces.
+[[nodiscard]] double largestStiffness(const ClothModel& model, std::span<const Vec3> positions = {});
+
+} // namespace toile::cloth

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cloth/Patch.h"
+
+#include "core/base/Contracts.h"
+#include "core/cloth/PatchBending.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <optional>
+
+namespace toile::cloth {
+namespace {
+
+using material::Fabric;
+using material::MembraneStiffness;
+
+Fabric scaled(Fabric fabric, const StiffnessFactors& factors) {
+    fabric.warpStiffness *= factors.stretch;
+    fabric.weftStiffness *= factors.stretch;
+    fabric.coupling *= factors.stretch;
+    fabric.shearStiffness *= factors.shear;
+    return fabric;
+}
+
+/// Membrane constants of one form of cell, solved once per set of factors.
+class Constants {
+public:
+    Constants(const Fabric& fabric, bool springs) : fabric_(fabric), springs_(springs) {}
+
+    [[nodiscard]] Result<MembraneStiffness> of(const StiffnessFactors& factors) {
+        if (last_ && factors == lastFactors_) return *last_;
+        const Fabric local = scaled(fabric_, factors);
+        auto constants = material::membraneStiffness(local, springs_ ? local.shearStiffness : local.coupling);
+        if (!constants) return constants;
+        last_ = *constants;
+        lastFactors_ = factors;
+        return *last_;
+    }
+
+private:
+    const Fabric& fabric_;
+    bool springs_;
+    std::optional<MembraneStiffness> last_;
+    StiffnessFactors lastFactors_;
+};
+
+/// Spring constants of one rectangle [N/m]; along weft and warp for one side each.
+struct CellSprings {
+    double diagonal = 0, weft = 0, warp = 0;
+    [[nodiscard]] bool isNegative() const { return weft < 0 || warp < 0; }
+};
+
+CellSprings cellSprings(const MembraneStiffness& c, double a, double b) {
+    const double g = c.c33;
+    return {.diagonal = g * (a * a + b * b) / (2 * a * b),
+            .weft = 0.5 * (c.c11 - g * a * a / (b * b)) * b / a,
+            .warp = 0.5 * (c.c22 - g * b * b / (a * a)) * a / b};
+}
+
+/// Springs between nodes of a patch; those of neighbouring cells become one.
+class SpringCollector {
+public:
+    void add(int a, int b, double restLength, double stiffness) {
+        if (stiffness == 0) return;
+        const auto [it, isNew] = byNodes_.try_emplace(std::minmax(a, b), static_cast<int>(springs_.size()));
+        if (isNew)
+            springs_.push_back({a, b, restLength, stiffness});
+        else
+            springs_[it->second].stiffness += stiffness;
+    }
+    void writeTo(std::vector<Spring>& out, std::span<const int> particles) const {
+        for (Spring spring : springs_) {
+            spring.a = particles[spring.a];
+            spring.b = particles[spring.b];
+            if (spring.a != spring.b) out.push_back(spring);
+        }
+    }
+
+private:
+    std::vector<Spring> springs_;
+    std::map<std::pair<int, int>, int> byNodes_;
+};
+
+class PatchBuilder {
+public:
+    PatchBuilder(ClothModel& model, const Patch& patch, const Fabric& fabric)
+        : model_(model), patch_(patch), fabric_(fabric) {}
+
+    Result<PatchReport> append(const PatchSettings& settings) {
+        checkIndices();
+        auto membrane = wantsMembrane(settings.form);
+        if (!membrane) return tl::unexpected(membrane.error());
+        report_.membraneCells = *membrane && !patch_.rectangles.empty();
+        appendTensionCurves(*membrane);
+        if (auto done = *membrane ? appendCells() : appendSprings(); !done) return tl::unexpected(done.error());
+        if (auto done = appendTriangles(*membrane); !done) return tl::unexpected(done.error());
+        appendMasses();
+        appendSlaves();
+        report_.twistLeftOut = appendBending(model_, patch_, fabric_);
+        return report_;
+    }
+
+private:
+    void checkIndices() const {
+        expects(patch_.material.size() == patch_.particles.size(), "a patch has one particle per node");
+        const auto isNode = [&](int n) { return n >= 0 && n < static_cast<int>(patch_.material.size()); };
+        for (const auto& cell : patch_.rectangles) expects(std::ranges::all_of(cell.nodes, isNode), "corner is a node");
+        for (const auto& cell : patch_.triangles) expects(std::ranges::all_of(cell.nodes, isNode), "corner is a node");
+        for (const auto& slave : patch_.slaves) {
+            expects(isNode(slave.node) && !slave.masters.empty(), "a slave is a node and has masters");
+            for (const auto& [node, weight] : slave.masters) expects(isNode(node), "a master is a node");
+        }
+    }
+
+    [[nodiscard]] double width(const PatchRectangle& cell) const {
+        return patch_.material[cell.nodes[1]].x - patch_.material[cell.nodes[0]].x;
+    }
+    [[nodiscard]] double height(const PatchRectangle& cell) const {
+        return patch_.material[cell.nodes[3]].y - patch_.material[cell.nodes[0]].y;
+    }
+    [[nodiscard]] double doubleArea(const PatchTriangle& cell) const {
+        const auto& [a, b, c] = cell.nodes;
+        return cross(patch_.material[b] - patch_.material[a], patch_.material[c] - patch_.material[a]);
+    }
+
+    /// One rule for the whole piece, so that no fold forms where the kind of cell changes.
+    [[nodiscard]] Result<bool> wantsMembrane(CellForm form) const {
+        if (form != CellForm::automatic) return form == CellForm::membrane;
+        if (fabric_.kind == material::FabricKind::knit) return true;
+        Constants constants(fabric_, true);
+        for (const PatchRectangle& cell : patch_.rectangles) {
+            auto c = constants.of(cell.factors);
+            if (!c) return tl::unexpected(c.error());
+            if (cellSprings(*c, width(cell), height(cell)).isNegative()) return true;
+        }
+        return false;
+    }
+
+    void appendTensionCurves(bool membrane) {
+        if (!membrane || (fabric_.warpTension.empty() && fabric_.weftTension.empty())) return;
+        tension_ = static_cast<int>(model_.tensionCurves.size());
+        model_.tensionCurves.push_back({fabric_.warpTension, fabric_.weftTension});
+    }
+
+    Result<void> appendSprings() {
+        Constants constants(fabric_, true);
+        SpringCollector sides, diagonals;
+        for (const PatchRectangle& cell : patch_.rectangles) {
+            auto c = constants.of(cell.factors);
+            if (!c) return tl::unexpected(c.error());
+            const double a = width(cell), b = height(cell), d = std::hypot(a, b);
+            CellSprings springs = cellSprings(*c, a, b);
+            if (springs.isNegative()) {
+                ++report_.clampedCells;
+                springs.weft = std::max(0.0, springs.weft);
+                springs.warp = std::max(0.0, springs.warp);
+            }
+            const auto& n = cell.nodes;
+            sides.add(n[0], n[1], a, springs.weft);
+            sides.add(n[3], n[2], a, springs.weft);
+            sides.add(n[0], n[3], b, springs.warp);
+            sides.add(n[1], n[2], b, springs.warp);
+            diagonals.add(n[0], n[2], d, springs.diagonal);
+            diagonals.add(n[1], n[3], d, springs.diagonal);
+        }
+        model_.clampedCells += report_.clampedCells;
+        sides.writeTo(model_.structural, patch_.particles);
+        diagonals.writeTo(model_.shear, patch_.particles);
+        return {};
+    }
+
+    Result<void> appendCells() {
+        Constants constants(fabric_, false);
+        for (const PatchRectangle& cell : patch_.rectangles) {
+            auto c = constants.of(cell.factors);
+            if (!c) return tl::unexpected(c.error());
+            MembraneCell element{.width = width(cell), .height = height(cell), .stiffness = *c, .tension = tension_};
+            std::ranges::transform(cell.nodes, element.particles.begin(), [&](int n) { return patch_.particles[n]; });
+            model_.cells.push_back(element);
+        }
+        return {};
+    }
+
+    Result<void> appendTriangles(bool membrane) {
+        Constants constants(fabric_, !membrane);
+        for (const PatchTriangle& cell : patch_.triangles) {
+            auto c = constants.of(cell.factors);
+            if (!c) return tl::unexpected(c.error());
+            const double twice = doubleArea(cell);
+            expects(twice > 0, "triangles run counter-clockwise and have an area");
+            const Vec2 u = patch_.material[cell.nodes[1]] - patch_.material[cell.nodes[0]];
+            const Vec2 v = patch_.material[cell.nodes[2]] - patch_.material[cell.nodes[0]];
+            MembraneTriangle element{.inverseRest = {v.y / twice, -v.x / twice, -u.y / twice, u.x / twice},
+                                     .area = 0.5 * twice,
+                                     .stiffness = *c,
+                                     .tension = tension_};
+            std::ranges::transform(cell.nodes, element.particles.begin(), [&](int n) { return patch_.particles[n]; });
+            model_.triangles.push_back(element);
+        }
+        return {};
+    }
+
+    void appendMasses() {
+        std::vector<double> nodeMass(patch_.material.size(), 0);
+        for (const PatchRectangle& cell : patch_.rectangles) {
+            const double area = width(cell) * height(cell);
+            expects(width(cell) > 0 && height(cell) > 0, "rectangles have an extent and their corners in order");
+            report_.area += area;
+            for (int n : cell.nodes) nodeMass[n] += 0.25 * fabric_.arealDensity * area;
+        }
+        for (const PatchTriangle& cell : patch_.triangles) {
+            report_.area += 0.5 * doubleArea(cell);
+            for (int n : cell.nodes) nodeMass[n] += fabric_.arealDensity * doubleArea(cell) / 6;
+        }
+        for (const PatchSlave& slave : patch_.slaves) {
+            for (const auto& [master, weight] : slave.masters) nodeMass[master] += weight * nodeMass[slave.node];
+            nodeMass[slave.node] = 0;
+        }
+        const int largest = patch_.particles.empty() ? -1 : std::ranges::max(patch_.particles);
+        if (model_.particleCount() <= largest) model_.mass.resize(largest + 1, 0.0);
+        for (std::size_t n = 0; n < nodeMass.size(); ++n) model_.mass[patch_.particles[n]] += nodeMass[n];
+    }
+
+    void appendSlaves() {
+        for (const PatchSlave& slave : patch_.slaves) {
+            Slave out{.particle = patch_.particles[slave.node], .masters = {}};
+            for (const auto& [node, weight] : slave.masters) {
+                const int particle = patch_.particles[node];
+                expects(particle != out.particle, "a slave is a particle of its own");
+                const auto it = std::ranges::find(out.masters, particle, &std::pair<int, double>::first);
+                if (it != out.masters.end())
+                    it->second += weight;
+                else
+                    out.masters.emplace_back(particle, weight);
+            }
+            model_.slaves.push_back(std::move(out));
+        }
+    }
+
+    ClothModel& model_;
+    const Patch& patch_;
+    const Fabric& fabric_;
+    PatchReport report_;
+    int tension_ = -1;
+};
+
+} // namespace
+
+Result<PatchReport> appendPatch(ClothModel& model, const Patch& patch, const Fabric& fabric,
+                                const PatchSettings& settings) {
+    return PatchBuilder(model, patch, fabric).append(settings);
+}
+
+} // namespace toile::cloth

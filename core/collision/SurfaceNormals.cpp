@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/collision/SurfaceNormals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
+#include <unordered_map>
+
+namespace toile::collision {
+namespace {
+
+/// For each vertex the first vertex at exactly its position.
+std::vector<int> firstAtPosition(const std::vector<Vec3>& vertices) {
+    std::vector<int> order(vertices.size()), first(vertices.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto key = [&](int i) {
+        const Vec3& v = vertices[i];
+        return std::tuple(v.x, v.y, v.z, i);
+    };
+    std::ranges::sort(order, {}, key);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const bool same = k > 0 && vertices[order[k]] ==
+                                       vertices[order[k - 1]];
+        first[order[k]] = same ? first[order[k - 1]] : order[k];
+    }
+    return first;
+}
+
+/// Zero when the corners lie on a line to within rounding.
+Vec3 faceNormal(const std::array<Vec3, 3>& corner) {
+    const Vec3 n = cross(corner[1] - corner[0], corner[2] - corner[0]);
+    const double longest = std::max({squaredLength(corner[1] - corner[0]), squaredLength(corner[2] - corner[1]),
+                                     squaredLength(corner[0] - corner[2])});
+    // below this height-to-length ratio the regions of closestOnTriangle would be decided by rounding
+    return length(n) > 1e-10 * longest ? normalized(n) : Vec3{};
+}
+
+double angleBetween(const Vec3& a, const Vec3& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+
+Vec3 unitOrZero(const Vec3& v) {
+    const double l = length(v);
+    return l > 0 ? v / l : Vec3{};
+}
+
+struct EdgeFaces {
+    Vec3 normal;
+    int forward = 0, backward = 0; ///< faces that run through it from the lower index to the higher, and back
+};
+
+std::uint64_t edgeKey(int a, int b) {
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
+}
+
+} // namespace
+
+SurfaceNormals::SurfaceNormals(const geometry::TriangleMesh& mesh) : faces_(mesh.triangles.size()) {
+    const std::vector<int> first = firstAtPosition(mesh.vertices);
+    std::vector<Vec3> cornerSums(mesh.vertices.size());
+    std::unordered_map<std::uint64_t, EdgeFaces> edges;
+    edges.reserve(mesh.triangles.size() * 2);
+
+    const auto corners = [&](std::size_t f) {
+        const auto& t = mesh.triangles[f];
+        return std::array{first[t[0]], first[t[1]],
+                          first[t[2]]};
+    };
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+        const auto v = corners(f);
+        const std::array x{mesh.vertices[v[0]], mesh.vertices[v[1]],
+                           mesh.vertices[v[2]]};
+        const Vec3 normal = faceNormal(x);
+        faces_[f][0] = normal;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
+            cornerSums[v[k]] += normal * angleBetween(x[next] - x[k], x[last] - x[k]);
+            if (v[k] == v[next]) continue; // the two other edges of a collapsed face are one and cancel
+            EdgeFaces& edge = edges[edgeKey(v[k], v[next])];
+            edge.normal += normal;
+            ++(v[k] < v[next] ? edge.forward : edge.backward);
+        }
+    }
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+        const auto v = corners(f);
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (v[k] != v[(k + 1) % 3]) faces_[f][1 + k] = unitOrZero(edges[edgeKey(v[k], v[(k + 1) % 3])].normal);
+            faces_[f][4 + k] = unitOrZero(cornerSums[v[k]]);
+        }
+    }
+    closed_ = !edges.empty() && std::ranges::all_of(edges, [](const auto& entry) {
+        return entry.second.forward == entry.second.backward && entry.second.forward == 1;
+    });
+}
+
+} // namespace toile::collision

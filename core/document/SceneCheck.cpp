@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/SceneCheck.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace toile::document {
+
+std::vector<pattern::Problem> checkScene(const simulation::SceneSettings& scene) {
+    struct Field { const char* path; double value; bool zeroAllowed; };
+    const Field fields[] = {
+        {"scene.damping", scene.damping, true},           {"scene.skinOffset", scene.skinOffset, true},
+        {"scene.bodyFriction", scene.bodyFriction, true}, {"scene.seamTime", scene.seamTime, false},
+        {"scene.frameStep", scene.frameStep, false},
+    };
+    std::vector<pattern::Problem> problems;
+    const auto add = [&](const char* path, std::string text) {
+        problems.push_back({{.path = path}, std::move(text), true});
+    };
+    if (!geometry::isFinite(scene.gravity)) add("scene.gravity", "Gravity must have three finite numbers.");
+    for (const Field& f : fields)
+        if (!std::isfinite(f.value) || f.value < 0 || (f.value == 0 && !f.zeroAllowed))
+            add(f.path, fmt::format("Expected a number {} 0, but found {}.", f.zeroAllowed ? "of at least" : "above", f.value));
+    if (scene.substeps < 0) add("scene.substeps", fmt::format("Expected 0 or more substeps, but found {}.", scene.substeps));
+    return problems;
+}
+
+} // namespace toile::document

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/pattern/Problem.h"
+#include "core/simulation/Scene.h"
+
+#include <vector>
+
+namespace toile::document {
+
+/// Settings that no simulation can run with. Paths start at "scene".
+[[nodiscard]] std::vector<pattern::Problem> checkScene(const simulation::SceneSettings& scene);
+
+} // namespace toile::document

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/cloth/HessianSink.h"
+#include "core/geometry/Vec.h"
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace toile::dynamics {
+
+/// All that moves.
+struct ParticleState {
+    std::vector<Vec3> positions;  ///< [m]
+    std::vector<Vec3> velocities; ///< [m/s]
+    double time = 0;              ///< [s]
+};
+
+/// What a stage sees of a position-based substep. Stages change positions only; velocities follow from them.
+struct Substep {
+    std::span<Vec3> positions;            ///< being solved
+    std::span<const Vec3> previous;       ///< at the start of the substep
+    std::span<const double> inverseMass;  ///< [1/kg]; 0 = pinned. A slave's is that of its masters, Σ w²/m
+    double duration = 0;                  ///< h [s]
+    double time = 0;                      ///< at the end of the substep [s]
+};
+
+/// Collects 3×3 blocks of ∂²E/∂x∂x. Blocks are row-major; (i, j) and (j, i) are both added by the caller.
+using cloth::HessianSink;
+
+/// A part of the step beside the cloth's own forces: a seam being closed, contact with the body, a hand that pulls.
+/// A stage exists only when the scene needs it, and owns its data.
+class Stage {
+public:
+    virtual ~Stage() = default;
+    [[nodiscard]] virtual std::string_view name() const = 0;
+    /// Memory this stage holds.
+    [[nodiscard]] virtual std::size_t bytes() const = 0;
+
+    /// Once before the substeps of a frame step of the given duration [s]: broad phases, targets.
+    virtual void beginStep(const ParticleState& state, double duration) = 0;
+    /// Once in every position-based substep, after the cloth's own sweep.
+    virtual void project(Substep& substep) = 0;
+
+    /// Once before every Newton iteration: fixes the active set, lagged normals and friction.
+    virtual void beginIteration(std::span<const Vec3> positions) = 0;
+    [[nodiscard]] virtual double energy(std::span<const Vec3> positions) const = 0;
+    virtual void addForces(std::span<const Vec3> positions, std::span<Vec3> forces) const = 0;
+    virtual void addHessian(std::span<const Vec3> positions, HessianSink& sink) const = 0;
+};
+
+} // namespace toile::dynamics

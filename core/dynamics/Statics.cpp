@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/Statics.h"
+
+#include <algorithm>
+
+namespace toile::dynamics {
+
+Result<StaticReport> solveStatic(const cloth::ClothModel& model, ParticleState& state, const Vec3& gravity,
+                                 std::span<Stage* const> stages, const StaticSettings& settings, std::stop_token stop,
+                                 const Progress& progress) {
+    const std::vector<Vec3> start = state.positions;
+    auto newton = Minimiser(model, settings).minimise(state.positions, gravity, stages, 0, {}, stop, progress);
+    if (!newton) {
+        state.positions = start;
+        return tl::unexpected(newton.error());
+    }
+    StaticReport report{.newton = std::move(*newton)};
+    for (std::size_t p = 0; p < start.size(); ++p)
+        report.displacementMaximum = std::max(report.displacementMaximum, distance(start[p], state.positions[p]));
+    state.velocities.assign(state.positions.size(), Vec3{});
+    return report;
+}
+
+} // namespace toile::dynamics

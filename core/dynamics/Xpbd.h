@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/cloth/ClothModel.h"
+#include "core/dynamics/Stage.h"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+namespace toile::dynamics {
+
+struct XpbdSettings {
+    double damping = 0.5;      ///< mass-proportional: v̇ = −damping·v [1/s]
+    double stiffnessCap = 1;   ///< κ [–]: no element is stiffer than κ/(w h²), w its inverse mass; above 1 energy can grow
+    double speedLimit = 0;     ///< no particle is faster [m/s]; 0 = no limit
+};
+
+/// Position-based dynamics in small steps: one Gauss–Seidel sweep over all elements a substep.
+///
+/// The integrator of interaction: its error does not depend on the stiffness, but it transports forces over a finite
+/// number of elements a substep and so sags by about ½·c·g·h²·n² (substepsFor). Deterministic. The model must
+/// outlive it and stay as it is. Ref: Macklin, Müller, Chentanez 2016; Macklin et al. 2019 – docs/physics/xpbd.md
+class Xpbd {
+public:
+    Xpbd(const cloth::ClothModel& model, XpbdSettings settings);
+    Xpbd(Xpbd&&) noexcept;
+    Xpbd& operator=(Xpbd&&) noexcept;
+    ~Xpbd();
+
+    /// Advances by duration [s] in equal substeps. Pinned particles stay; slaves follow their masters, and what a
+    /// stage does to a slave is handed to its masters. Error with step and particle when a number is not finite.
+    [[nodiscard]] Result<void> step(ParticleState& state, double duration, int substeps, const Vec3& gravity,
+                                    std::span<Stage* const> stages);
+
+    void setSettings(XpbdSettings settings);
+    /// 1/kg; 0 = pinned, Σ w²/m for a slave.
+    [[nodiscard]] std::span<const double> inverseMass() const;
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    struct Data;
+    std::unique_ptr<Data> data_;
+};
+
+/// Substeps of a frame step that keep the transport error of a line of `springsOnLine` springs, hanging by one end,
+/// near `error` [m].
+[[nodiscard]] int substepsFor(double frameStep, int springsOnLine, double gravity, double error = 0.002);
+
+/// The longest chain of springs a load has to travel: the largest number of edges from any particle to the nearest
+/// pinned one, or, where nothing is pinned, the half of the longest way through a patch.
+[[nodiscard]] int springsOnLongestLine(const cloth::ClothModel& model);
+
+} // namespace toile::dynamics

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/DocumentFile.h"
+
+#include "core/base/RegularFile.h"
+#include "core/document/SceneCheck.h"
+#include "core/io/ToileFile.h"
+#include "core/pattern/PatternCheck.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <fmt/format.h>
+
+namespace toile::io {
+namespace {
+
+using pattern::Problem;
+
+constexpr std::uint64_t largestFile = 256 << 20; // [bytes]
+
+std::string extensionOf(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+Result<Imported> importedFrom(const std::string& text, const std::string& path) {
+    const std::string extension = extensionOf(path);
+    if (extension == ".toile") return documentFromText(text, path).map([](document::Document d) { return Imported{std::move(d), {}}; });
+    if (extension == ".json") return garmentCodeFromText(text, path);
+    return fail(ErrorCode::unsupported,
+                fmt::format("Files ending in \"{}\" cannot be read as a pattern: .toile and .json (GarmentCode) can.", extension),
+                {.file = path});
+}
+
+std::vector<Problem> checkAvatar(const document::Document& document, const std::string& path) {
+    if (document.avatarFile.empty()) return {};
+    std::error_code none;
+    if (std::filesystem::is_regular_file(fileNamedBy(path, document.avatarFile), none)) return {};
+    return {{{.path = "avatar"}, fmt::format("There is no file \"{}\" beside the document.", document.avatarFile), true}};
+}
+
+} // namespace
+
+Result<Imported> readDocument(const std::string& path) {
+    return readRegularFile(path, largestFile).and_then([&](const std::string& text) { return importedFrom(text, path); });
+}
+
+std::filesystem::path fileNamedBy(const std::filesystem::path& documentPath, const std::string& name) {
+    return documentPath.parent_path() / name;
+}
+
+bool Checked::hasErrors() const { return pattern::hasErrors(problems); }
+
+Result<Checked> checkFile(const std::string& path) {
+    const auto text = readRegularFile(path, largestFile);
+    if (!text) return tl::unexpected<Error>(text.error());
+    auto imported = importedFrom(*text, path);
+    if (!imported) return tl::unexpected<Error>(imported.error());
+    Checked checked{std::move(imported->document), {}};
+    for (const Warning& warning : imported->warnings)
+        checked.problems.push_back({{.object = warning.place}, warning.text, false});
+    const auto append = [&](const std::vector<Problem>& more) {
+        checked.problems.insert(checked.problems.end(), more.begin(), more.end());
+    };
+    append(checkAvatar(checked.document, path));
+    append(document::checkScene(checked.document.scene));
+    append(pattern::checkPattern(checked.document.pattern));
+    const bool isOurs = extensionOf(path) == ".toile"; // paths of another format are not those of the document
+    const auto json = isOurs ? parseJson(*text, path) : Result<Json>(Json());
+    for (Problem& problem : checked.problems) {
+        problem.place.file = path;
+        if (isOurs && json && !problem.place.path.empty()) problem.place.line = lineOf(*json, problem.place.path);
+    }
+    return checked;
+}
+
+int lineOf(const Json& root, std::string_view path) {
+    const Json* at = &root;
+    while (!path.empty()) {
+        const Json* next = nullptr;
+        std::size_t used = 0;
+        if (path.front() == '[') {
+            std::size_t index = 0;
+            used = path.find(']') + 1; // npos + 1 = 0
+            std::from_chars(path.data() + 1, path.data() + used, index);
+            if (const auto* array = at->asArray(); array && used > 0 && index < array->size()) next = &(*array)[index];
+        } else {
+            if (path.front() == '.') path.remove_prefix(1);
+            used = std::min(path.find_first_of(".["), path.size());
+            next = at->find(path.substr(0, used));
+        }
+        if (!next || used == 0) break;
+        at = next;
+        path.remove_prefix(used);
+    }
+    return at->line();
+}
+
+} // namespace toile::io

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/meshing/GarmentMesh.h"
+#include "core/meshing/PieceBoundary.h"
+#include "core/meshing/SeamDivision.h"
+
+#include <optional>
+
+namespace toile::meshing {
+
+/// Where on the border a segment between two nodes lies.
+struct BoundarySpot {
+    int loop = 0, edge = 0;
+    double fraction = 0;
+};
+
+/// The frozen nodes on the border of one piece, numbered along its loops.
+struct BoundaryNodes {
+    std::vector<Vec2> points; ///< on the curves, bit for bit [m]
+    std::vector<GridPoint> grid;
+    std::vector<std::vector<EdgeNodes>> loops;    ///< [loop][edge]
+    std::vector<std::vector<int>> rings;          ///< closed, the piece on the left
+    std::vector<std::vector<BoundarySpot>> spots; ///< of the segment that starts at each ring node
+};
+
+[[nodiscard]] BoundaryNodes boundaryNodes(const PieceInput& piece, int pieceIndex,
+                                          const PieceBoundary& boundary, const BoundaryDivision& division);
+
+/// The grid points of the rings.
+[[nodiscard]] std::vector<std::vector<GridPoint>> ringPoints(const BoundaryNodes& nodes);
+
+/// Where the polygon through the nodes is no valid border although the curves are: the places to divide
+/// finer.
+[[nodiscard]] std::vector<BoundarySpot> spotsTooCoarse(const BoundaryNodes& nodes);
+
+} // namespace toile::meshing

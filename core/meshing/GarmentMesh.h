@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/meshing/MeshInput.h"
+
+#include <array>
+#include <vector>
+
+namespace toile::meshing {
+
+/// x = Σ weight · x(master); weights sum to 1. Chains are resolved: masters are never slaves.
+struct SlaveNode {
+    int node = 0;
+    std::vector<std::pair<int, double>> masters;
+};
+
+/// A grain-parallel rectangle; corners (−weft,−warp), (+weft,−warp), (+weft,+warp), (−weft,+warp).
+struct Rectangle {
+    std::array<int, 4> nodes{};
+    int region = -1; ///< index into PieceInput::regions; −1 = the main region
+};
+
+/// Counter-clockwise. Triangles of one merged quad name each other.
+struct Triangle {
+    std::array<int, 3> nodes{};
+    int region = -1;
+    int mergedWith = -1; ///< index of the other triangle; −1 = none
+};
+
+/// A node on a boundary edge.
+struct EdgeNode {
+    int node = 0;
+    double fraction = 0; ///< of the edge's arc length
+};
+
+/// The nodes of one boundary edge from its start to its end, both included. Where many unsewn straight edges much
+/// shorter than the spacing follow one another smoothly (a digitised outline), most of their ends are no nodes; such
+/// an edge lists the nodes before and behind it.
+using EdgeNodes = std::vector<EdgeNode>;
+
+struct PieceMesh {
+    std::vector<Vec2> nodes;      ///< in the piece's coordinates [m]
+    std::vector<Vec2> material;   ///< u weft, v warp [m]: the piece turned so that warp is +y
+    std::vector<Rectangle> rectangles;
+    std::vector<Triangle> triangles;
+    std::vector<SlaveNode> slaves;
+    std::vector<std::vector<EdgeNodes>> loops; ///< [loop][edge]; loop 0 = outline
+    std::vector<std::array<int, 3>> display;   ///< triangles over all nodes without cracks at region joints
+};
+
+struct NodeRef {
+    int piece = 0, node = 0;
+    friend auto operator<=>(const NodeRef&, const NodeRef&) = default;
+};
+
+/// The nodes that are sewn together, first pair at the start of the seam.
+struct SeamNodes {
+    std::vector<std::array<NodeRef, 2>> pairs;
+};
+
+struct RegionReport {
+    std::string label;
+    double spacing = 0; ///< used [m]
+    int ratio = 1;      ///< u = ε_m / spacing
+    int cells = 0;
+    double displacement = 0; ///< Hausdorff distance of the final border to the painted one [m]
+    double areaChange = 0;   ///< [m²]
+};
+
+/// Quality of one piece; see docs/meshing.md.
+struct PieceReport {
+    std::string label;
+    int nodes = 0, slaves = 0, quads = 0, triangles = 0, rectangles = 0; ///< of the displayed mesh
+    double rectangleFraction = 0;
+    double minimumAngle = 0, maximumAngle = 0, inputMinimumAngle = 0; ///< [rad]
+    double maximumAspect = 0;
+    double areaRelativeError = 0;
+    double boundaryDeviation = 0; ///< [m]
+    int invertedCells = 0, missingBoundaryNodes = 0, nonManifoldEdges = 0;
+    double seconds = 0;
+    std::size_t bytes = 0;
+    std::vector<RegionReport> regions;
+};
+
+struct SeamReport {
+    std::string label;
+    int countA = 0, countB = 0;
+    double lengthA = 0, lengthB = 0, ease = 0; ///< ease as declared [m]
+    double largestSpacingMismatch = 0;         ///< largest |a − b| / max(a, b) of two sewn stretches [–]
+};
+
+struct MeshReport {
+    std::vector<PieceReport> pieces;
+    PieceReport total;
+    std::vector<SeamReport> seams;
+    std::vector<Warning> warnings;
+};
+
+/// The meshes of all pieces and how they are sewn.
+struct GarmentMesh {
+    std::vector<PieceMesh> pieces;
+    std::vector<SeamNodes> seams;
+    MeshReport report;
+};
+
+/// Meshes all pieces, seams first. Errors name piece, edge and point.
+[[nodiscard]] Result<GarmentMesh> meshGarment(const MeshInput& input);
+
+} // namespace toile::meshing

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/meshing/Lattice.h"
+#include "core/meshing/PieceBoundary.h"
+
+namespace toile::meshing {
+
+/// The coordinates of the main lines, rising; they reach beyond the piece by at least one interval on each
+/// side.
+struct MainLines {
+    std::vector<double> x, y;
+};
+
+/// The main lines of a piece by its rule. seamEnds, in the frame, matter to the rule `features` alone.
+[[nodiscard]] MainLines mainLines(const PieceInput& piece, const PieceBoundary& boundary,
+                                  const std::vector<Vec2>& seamEnds);
+
+} // namespace toile::meshing

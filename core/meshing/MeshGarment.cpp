@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/Contracts.h"
+#include "core/meshing/BorderSpacing.h"
+#include "core/meshing/FinishedPiece.h"
+#include "core/meshing/GarmentMesh.h"
+#include "core/meshing/MainLines.h"
+#include "core/meshing/PairMerge.h"
+#include "core/meshing/Quality.h"
+#include "core/meshing/Regions.h"
+#include "core/meshing/StripImprovement.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <tbb/parallel_for.h>
+
+namespace toile::meshing {
+namespace {
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// Does work(0) … work(count − 1) on all cores. Start and end are said through atomics of our own as well: the thread
+/// sanitizer does not see how the library orders its threads.
+template <class Work>
+void inParallel(int count, Work work) {
+    std::atomic<bool> begun{false};
+    std::atomic<int> ended{0};
+    begun.store(true, std::memory_order_release);
+    tbb::parallel_for(0, count, [&](int i) {
+        expects(begun.load(std::memory_order_acquire));
+        work(i);
+        ended.fetch_add(1, std::memory_order_release);
+    });
+    expects(ended.load(std::memory_order_acquire) == count);
+}
+
+constexpr int mostRefinements = 24; ///< doublings of the border before we give up
+
+/// Doubles each stretch once, however many of its segments are too coarse.
+void refineOnce(const std::vector<BoundarySpot>& spots, int piece, BoundaryDivision& division) {
+    std::vector<int> done;
+    for (const BoundarySpot& spot : spots) {
+        division.takeEveryVertex(piece, spot.loop);
+        for (const Stretch& stretch : division.stretches(piece, spot.loop, spot.edge)) {
+            if (spot.fraction < stretch.from || spot.fraction > stretch.to) continue;
+            if (std::find(done.begin(), done.end(), stretch.group) != done.end()) continue;
+            done.push_back(stretch.group);
+            division.refine(stretch.group);
+        }
+    }
+}
+
+/// Divides all borders, finer where the polygon through the nodes would cross itself.
+Result<BoundaryDivision> dividedBorders(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
+                                        const std::vector<CheckedSeam>& seams, const SpacingAlong& spacing,
+                                        std::vector<BoundaryNodes>& nodes) {
+    auto division = BoundaryDivision::create(input, boundaries, seams, spacing);
+    if (!division) return division;
+    for (int round = 0;; ++round) {
+        bool coarse = false;
+        nodes.clear();
+        for (std::size_t p = 0; p < input.pieces.size(); ++p) {
+            nodes.push_back(boundaryNodes(input.pieces[p], static_cast<int>(p), boundaries[p], *division));
+            std::vector<BoundarySpot> spots = spotsTooCoarse(nodes.back());
+            if (spots.empty()) continue;
+            coarse = true;
+            if (round == mostRefinements)
+                return fail(ErrorCode::invalidInput,
+                            "Two parts of the border run too near one another to be divided into nodes.",
+                            {.object = nameOf(input.pieces[p], spots.front().loop, spots.front().edge)});
+            refineOnce(spots, static_cast<int>(p), *division);
+        }
+        if (!coarse) return division;
+    }
+}
+
+SeamNodes nodesOf(const CheckedSeam& seam, const BoundaryDivision& division,
+                  const std::vector<PieceMesh>& pieces) {
+    std::array<std::vector<std::vector<NodeRef>>, 2> stretches;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (const ChainPart& part : seam.sides[side].parts) {
+            const SeamPartInput& where = part.part;
+            const EdgeNodes& edge = pieces[at(where.piece)].loops[at(where.loop)][at(where.edge)];
+            std::vector<std::vector<NodeRef>> own;
+            for (const Stretch& stretch : division.stretches(where.piece, where.loop, where.edge)) {
+                const double middle = 0.5 * (stretch.from + stretch.to);
+                if (middle < where.from || middle > where.to) continue;
+                auto& list = own.emplace_back();
+                for (const EdgeNode& node : edge)
+                    if (node.fraction >= stretch.from - 1e-12 && node.fraction <= stretch.to + 1e-12)
+                        list.push_back({where.piece, node.node});
+                if (where.reversed) std::reverse(list.begin(), list.end());
+            }
+            if (where.reversed) std::reverse(own.begin(), own.end());
+            stretches[side].insert(stretches[side].end(), own.begin(), own.end());
+        }
+    SeamNodes nodes;
+    for (std::size_t i = 0; i < stretches[0].size(); ++i)
+        for (std::size_t k = 0; k < stretches[0][i].size(); ++k) {
+            const std::array<NodeRef, 2> pair{stretches[0][i][k], stretches[1][i][k]};
+            if (nodes.pairs.empty() || nodes.pairs.back() != pair) nodes.pairs.push_back(pair);
+        }
+    return nodes;
+}
+
+/// By how much the ways between neighbouring pairs differ: 0 unless there is ease, or a curve's chords fall short.
+double largestSpacingMismatch(const SeamNodes& nodes, const std::vector<PieceMesh>& pieces) {
+    double largest = 0;
+    for (std::size_t k = 0; k + 1 < nodes.pairs.size(); ++k) {
+        std::array<double, 2> way{};
+        for (std::size_t side = 0; side < 2; ++side) {
+            const NodeRef from = nodes.pairs[k][side], to = nodes.pairs[k + 1][side];
+            if (from.piece == to.piece)
+                way[side] = distance(pieces[at(from.piece)].nodes[at(from.node)], pieces[at(to.piece)].nodes[at(to.node)]);
+        }
+        if (way[0] > 0 && way[1] > 0)
+            largest = std::max(largest, std::abs(way[0] - way[1]) / std::max(way[0], way[1]));
+    }
+    return largest;
+}
+
+SeamReport reportOf(const SeamInput& input, const CheckedSeam& seam, const SeamNodes& nodes,
+                    const std::vector<PieceMesh>& pieces) {
+    SeamReport report{input.label, 0, 0, seam.sides[0].length, seam.sides[1].length, seam.ease, 0};
+    report.countA = report.countB = static_cast<int>(nodes.pairs.size());
+    report.largestSpacingMismatch = largestSpacingMismatch(nodes, pieces);
+    return report;
+}
+
+/// The ends of seam parts on a piece, in its frame.
+std::vector<Vec2> seamEnds(const std::vector<CheckedSeam>& seams, int piece, const PieceBoundary& boundary) {
+    std::vector<Vec2> ends;
+    for (const CheckedSeam& seam : seams)
+        for (const SeamChain& side : seam.sides)
+            for (const ChainPart& part : side.parts)
+                for (const double fraction : {part.part.from, part.part.to})
+                    if (part.part.piece == piece)
+                        ends.push_back(boundary.frame.frameOf(
+                            boundary.loops[at(part.part.loop)].edges[at(part.part.edge)].arc.pointAt(
+                                fraction)));
+    return ends;
+}
+
+/// The main mesh with the regions on it.
+Result<Lattice> latticeOf(const PieceInput& piece, const PieceBoundary& boundary,
+                          const std::vector<Vec2>& seamEnds, std::vector<RegionReport>& reports,
+                          std::vector<Warning>& warnings) {
+    MainLines lines = mainLines(piece, boundary, seamEnds);
+    if (auto fits = affordable(piece, lines.x.size(), lines.y.size()); !fits)
+        return tl::unexpected(fits.error());
+    Lattice lattice(std::move(lines.x), std::move(lines.y));
+    markActiveCells(boundary.frame, boundary.contours, lattice);
+    auto regions = snapRegions(piece, boundary, lattice, warnings);
+    if (!regions) return tl::unexpected(regions.error());
+    reports = std::move(*regions);
+    if (auto fits = affordable(piece, lattice); !fits) return tl::unexpected(fits.error());
+    return lattice;
+}
+
+/// From frozen border nodes to the finished mesh.
+Result<PieceMesh> meshedPiece(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,
+                              const BoundaryNodes& nodes, const BoundaryDivision& division,
+                              Lattice& lattice) {
+    markActiveCells(boundary.frame, ringPoints(nodes), lattice);
+    if (piece.rule != LineRule::paper) {
+        seedFromBorder(seedsOf(nodes, boundary.frame, pieceIndex, division), lattice);
+        balance(lattice);
+    }
+    if (auto fits = affordable(piece, lattice); !fits) return tl::unexpected(fits.error());
+    lattice.numberNodes();
+    GridFill fill = fillLattice(boundary.frame, nodes, lattice);
+    CellMesh cells = cellMesh(boundary.frame, nodes, lattice, fill);
+    improveStrip(boundary.frame, nodes, lattice, fill, cells);
+    mergePairs(cells);
+    return finishedPiece(boundary.frame, nodes, cells).mesh;
+}
+
+PieceReport reportOf(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes,
+                     const PieceMesh& mesh) {
+    PieceReport report = qualityOf(mesh);
+    report.label = piece.label;
+    const double exact = exactArea(piece);
+    report.areaRelativeError = std::abs(meshedArea(mesh) - exact) / exact;
+    report.boundaryDeviation = boundaryDeviation(piece, boundary, nodes);
+    report.inputMinimumAngle = smallestBorderAngle(nodes);
+    return report;
+}
+
+} // namespace
+
+Result<GarmentMesh> meshGarment(const MeshInput& input) {
+    const int pieceCount = static_cast<int>(input.pieces.size());
+    GarmentMesh garment;
+    garment.report.pieces.resize(input.pieces.size());
+    std::vector<std::vector<RegionReport>> regions(input.pieces.size());
+    std::vector<PieceBoundary> boundaries;
+    for (std::size_t p = 0; p < input.pieces.size(); ++p) {
+        auto boundary = checkedBoundary(input.pieces[p]);
+        if (!boundary) return tl::unexpected(boundary.error());
+        boundaries.push_back(std::move(*boundary));
+    }
+    std::vector<CheckedSeam> seams;
+    for (const SeamInput& seam : input.seams) {
+        auto checked = checkedSeam(input, seam, boundaries, garment.report.warnings);
+        if (!checked) return tl::unexpected(checked.error());
+        seams.push_back(std::move(*checked));
+    }
+    std::vector<Lattice> lattices;
+    for (std::size_t p = 0; p < input.pieces.size(); ++p) {
+        const std::vector<Vec2> ends = seamEnds(seams, static_cast<int>(p), boundaries[p]);
+        auto lattice = latticeOf(input.pieces[p], boundaries[p], ends, regions[p], garment.report.warnings);
+        if (!lattice) return tl::unexpected(lattice.error());
+        lattices.push_back(std::move(*lattice));
+    }
+    const SpacingAlong spacing = [&](int piece, int loop, int edge, double from, double to) {
+        return finestSpacingAlong(input.pieces[at(piece)], boundaries[at(piece)], lattices[at(piece)], loop,
+                                  edge, from, to);
+    };
+    std::vector<BoundaryNodes> nodes;
+    const auto division = dividedBorders(input, boundaries, seams, spacing, nodes);
+    if (!division) return tl::unexpected(division.error());
+
+    std::vector<Result<PieceMesh>> meshes(input.pieces.size());
+    inParallel(
+        pieceCount, [&](int p) { // each piece on its own: the result does not depend on the threads
+            const auto start = std::chrono::steady_clock::now();
+            const std::size_t i = at(p);
+            meshes[i] = meshedPiece(input.pieces[i], p, boundaries[i], nodes[i], *division, lattices[i]);
+            if (!meshes[i]) return;
+            PieceReport& report = garment.report.pieces[i] =
+                reportOf(input.pieces[i], boundaries[i], nodes[i], *meshes[i]);
+            report.regions = std::move(regions[i]);
+            report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        });
+    for (auto& mesh : meshes) {
+        if (!mesh) return tl::unexpected(mesh.error());
+        garment.pieces.push_back(std::move(*mesh));
+    }
+    garment.report.total = totalOf(garment.report.pieces);
+    for (std::size_t s = 0; s < seams.size(); ++s) {
+        garment.seams.push_back(nodesOf(seams[s], *division, garment.pieces));
+        garment.report.seams.push_back(reportOf(input.seams[s], seams[s], garment.seams.back(), garment.pieces));
+    }
+    return garment;
+}
+
+} // namespace toile::meshing

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/meshing/SeamChain.h"
+
+#include <functional>
+
+namespace toile::meshing {
+
+/// A stretch of an edge between fixed points.
+struct Stretch {
+    double from = 0, to = 1; ///< fractions of the edge's arc length
+    int group = 0;           ///< stretches of one group carry equal counts
+};
+
+/// The finest spacing wanted along a stretch of an edge [m].
+using SpacingAlong = std::function<double(int piece, int loop, int edge, double from, double to)>;
+
+/// How all boundary edges are divided: into stretches, and these into equal parts, the same number on both
+/// sides of every seam.
+class BoundaryDivision {
+public:
+    [[nodiscard]] static Result<BoundaryDivision> create(const MeshInput& input,
+                                                         const std::vector<PieceBoundary>& boundaries,
+                                                         const std::vector<CheckedSeam>& seams,
+                                                         const SpacingAlong& spacing);
+
+    [[nodiscard]] const std::vector<Stretch>& stretches(int piece, int loop, int edge) const;
+    [[nodiscard]] int count(const Stretch& stretch) const {
+        return counts_[static_cast<std::size_t>(stretch.group)];
+    }
+    /// The fractions of the nodes of an edge from 0 to 1.
+    [[nodiscard]] std::vector<double> fractions(int piece, int loop, int edge) const;
+    /// Doubles the number of parts of all stretches of a group.
+    void refine(int group) { counts_[static_cast<std::size_t>(group)] *= 2; }
+    /// The end of the edge is no node: it lies in a smooth run of edges much shorter than the spacing, as
+    /// digitisers give them, and only every so manieth of their vertices is taken.
+    [[nodiscard]] bool passesEnd(int piece, int loop, int edge) const;
+    /// Makes every vertex of a loop a node after all.
+    void takeEveryVertex(int piece, int loop);
+
+private:
+    std::vector<std::vector<std::vector<char>>> passed_;                    ///< [piece][loop][edge]
+    std::vector<std::vector<std::vector<std::vector<Stretch>>>> stretches_; ///< [piece][loop][edge]
+    std::vector<int> counts_;                                               ///< by group
+};
+
+} // namespace toile::meshing

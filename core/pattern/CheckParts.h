@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/pattern/PatternCheck.h"
+
+#include <set>
+#include <string>
+
+namespace toile::pattern {
+
+/// Collects the problems of one thing: its path in the document and the user's words for it go with each.
+class Problems {
+public:
+    Problems(std::vector<Problem>& all, std::string path, std::string object)
+        : all_(all), path_(std::move(path)), object_(std::move(object)) {}
+
+    /// `member` is appended to the path: "spacing", "vertices[3].x".
+    void error(const std::string& member, std::string text) { add(member, std::move(text), true); }
+    void warning(const std::string& member, std::string text) { add(member, std::move(text), false); }
+
+private:
+    void add(const std::string& member, std::string text, bool isError) {
+        const char* separator = path_.empty() || member.empty() ? "" : ".";
+        all_.push_back({{.path = path_ + separator + member, .object = object_}, std::move(text), isError});
+    }
+
+    std::vector<Problem>& all_;
+    std::string path_, object_;
+};
+
+/// Numbers, crossings, orientation and nesting of a piece's contours. Returns whether they can be worked with.
+bool checkContours(const Piece& piece, Problems& problems);
+/// Regions of a piece whose contours are sound.
+void checkRegions(const Piece& piece, Problems& problems);
+/// Seams, one by one and against each other. Lengths and directions are not looked at where a contour is unsound.
+void checkSeams(const Pattern& pattern, const std::set<PieceId>& unsound, const SeamTolerance& tolerance,
+                std::vector<Problem>& problems);
+
+} // namespace toile::pattern

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/Vec.h"
+
+#include <optional>
+#include <vector>
+
+namespace toile::pattern {
+
+/// A straight piece of a border; `loop` and `edge` say whose, `order` counts along the loop.
+struct BorderSegment {
+    Vec2 a, b;
+    int loop = 0;
+    std::size_t edge = 0, order = 0;
+};
+
+struct Crossing {
+    BorderSegment first, second;
+    Vec2 point;
+};
+
+/// A point where two segments that do not follow each other along a loop cross or touch; the first found by a sweep from
+/// left to right. `loopLengths[loop]` is the number of segments of a loop.
+[[nodiscard]] std::optional<Crossing> firstCrossing(std::vector<BorderSegment> segments, const std::vector<std::size_t>& loopLengths);
+
+} // namespace toile::pattern

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/PatternFabrics.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace toile::pattern {
+namespace {
+
+auto positionOf(const Pattern& pattern, const FabricId& id) {
+    return std::ranges::find_if(pattern.fabrics, [&](const auto& fabric) { return fabric->id == id; });
+}
+
+Error unknownFabric(const FabricId& id) {
+    return {ErrorCode::notFound, fmt::format("There is no fabric \"{}\".", id.value), {}};
+}
+
+} // namespace
+
+Result<Pattern> addFabric(const Pattern& pattern, Fabric fabric) {
+    if (fabric.id.empty()) return fail(ErrorCode::invalidInput, "A fabric needs an id.");
+    if (findFabric(pattern, fabric.id))
+        return fail(ErrorCode::invalidInput, fmt::format("There is a fabric \"{}\" already.", fabric.id.value));
+    return material::checked(fabric).map([&] {
+        Pattern next = pattern;
+        next.fabrics.emplace_back(std::move(fabric));
+        return next;
+    });
+}
+
+Result<Pattern> replaceFabric(const Pattern& pattern, Fabric fabric) {
+    const auto found = positionOf(pattern, fabric.id);
+    if (found == pattern.fabrics.end()) return tl::unexpected<Error>(unknownFabric(fabric.id));
+    return material::checked(fabric).map([&] {
+        Pattern next = pattern;
+        next.fabrics[static_cast<std::size_t>(found - pattern.fabrics.begin())] = std::move(fabric);
+        return next;
+    });
+}
+
+Result<Pattern> removeFabric(const Pattern& pattern, const FabricId& fabric) {
+    const auto found = positionOf(pattern, fabric);
+    if (found == pattern.fabrics.end()) return tl::unexpected<Error>(unknownFabric(fabric));
+    for (const auto& piece : pattern.pieces)
+        if (piece->fabric == fabric)
+            return fail(ErrorCode::invalidInput, fmt::format("The fabric \"{}\" is in use.", (*found)->name), placeOf(*piece));
+    Pattern next = pattern;
+    next.fabrics.erase(next.fabrics.begin() + (found - pattern.fabrics.begin()));
+    return next;
+}
+
+Result<Pattern> setPieceFabric(const Pattern& pattern, const PieceId& piece, const FabricId& fabric) {
+    if (!findFabric(pattern, fabric)) return tl::unexpected<Error>(unknownFabric(fabric));
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        p.fabric = fabric;
+        return {};
+    });
+}
+
+} // namespace toile::pattern

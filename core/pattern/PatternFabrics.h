@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/pattern/Editing.h"
+
+namespace toile::pattern {
+
+// Edits of the fabrics of a pattern. All are pure.
+
+/// Adds a fabric that has its id. Error when the id is taken or a constant makes no sense.
+[[nodiscard]] Result<Pattern> addFabric(const Pattern& pattern, Fabric fabric);
+/// Puts new constants in the place of the fabric with the same id.
+[[nodiscard]] Result<Pattern> replaceFabric(const Pattern& pattern, Fabric fabric);
+/// Error when a piece is cut from it.
+[[nodiscard]] Result<Pattern> removeFabric(const Pattern& pattern, const FabricId& fabric);
+/// Cuts a piece from another fabric.
+[[nodiscard]] Result<Pattern> setPieceFabric(const Pattern& pattern, const PieceId& piece, const FabricId& fabric);
+
+} // namespace toile::pattern

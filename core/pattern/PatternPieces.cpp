@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/PatternPieces.h"
+
+#include "core/pattern/PatternMeasures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace toile::pattern {
+namespace {
+
+constexpr double tableGap = 0.05;   ///< between pieces laid out on the table [m]
+constexpr double tableWidth = 2.5;  ///< of a row of pieces [m]
+
+geometry::Box2 tableBox(const Pattern& pattern, const Piece& piece) {
+    const Polygon outline = flattened(resolved(pattern, piece).outline, 1e-3);
+    geometry::Box2 box = geometry::boundsOf(outline);
+    box.low += piece.tablePosition;
+    box.high += piece.tablePosition;
+    return box;
+}
+
+bool overlap(const geometry::Box2& a, const geometry::Box2& b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+/// The piece itself and all mirror images of it.
+std::vector<PieceId> withImages(const Pattern& pattern, const PieceId& piece) {
+    std::vector<PieceId> ids{piece};
+    for (const auto& other : pattern.pieces)
+        if (other->mirror && other->mirror->source == piece) ids.push_back(other->id);
+    return ids;
+}
+
+} // namespace
+
+Result<Pattern> addPiece(const Pattern& pattern, Piece piece) {
+    if (piece.id.empty()) return fail(ErrorCode::invalidInput, "A piece needs an id.", placeOf(piece));
+    if (findPiece(pattern, piece.id))
+        return fail(ErrorCode::invalidInput, fmt::format("There is a piece \"{}\" already.", piece.id.value), placeOf(piece));
+    if (!piece.mirror && piece.outline.vertices.empty())
+        return fail(ErrorCode::invalidInput, "A piece needs an outline.", placeOf(piece));
+    Pattern next = pattern;
+    next.pieces.emplace_back(std::move(piece));
+    return next;
+}
+
+Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Vec2 lineStart, Vec2 lineEnd, std::string name,
+                               IdSource& ids) {
+    const Piece* original = findPiece(pattern, source);
+    if (!original) return fail(ErrorCode::notFound, fmt::format("There is no piece \"{}\".", source.value));
+    if (original->mirror)
+        return fail(ErrorCode::invalidInput, "This piece is a mirror image: mirror the piece it is made from.", placeOf(*original));
+    if (!(geometry::distance(lineStart, lineEnd) > 1e-9))
+        return fail(ErrorCode::invalidInput, "A mirror line needs two different points.", placeOf(*original));
+    Piece image;
+    image.id = ids.take<PieceId>();
+    image.name = std::move(name);
+    image.fabric = original->fabric;
+    image.spacing = original->spacing;
+    image.seamAllowance = original->seamAllowance;
+    image.rule = original->rule;
+    image.border = original->border;
+    image.tablePosition = original->tablePosition;
+    image.mirror = MirrorOf{source, lineStart, lineEnd};
+    return addPiece(pattern, std::move(image));
+}
+
+Result<Edited> deletePiece(const Pattern& pattern, const PieceId& piece) {
+    const Piece* found = findPiece(pattern, piece);
+    if (!found) return fail(ErrorCode::notFound, fmt::format("There is no piece \"{}\".", piece.value));
+    const std::string why = fmt::format("it is gone with the piece \"{}\".", found->name);
+    const auto gone = withImages(pattern, piece);
+    const auto isGone = [&](const PieceId& id) { return std::ranges::find(gone, id) != gone.end(); };
+    const auto touches = [&](const Seam& seam) {
+        return std::ranges::any_of(seam.sides, [&](const auto& side) {
+            return std::ranges::any_of(side, [&](const SeamPart& part) { return isGone(part.piece); });
+        });
+    };
+    Edited edited{pattern, {}};
+    for (const auto& other : pattern.pieces)
+        if (isGone(other->id) && other->id != piece) edited.warnings.push_back({toString(placeOf(*other)), why});
+    for (const Seam& seam : pattern.seams)
+        if (touches(seam)) edited.warnings.push_back({toString(placeOf(seam)), why});
+    std::erase_if(edited.pattern.pieces, [&](const auto& other) { return isGone(other->id); });
+    std::erase_if(edited.pattern.seams, touches);
+    std::erase_if(edited.pattern.pins, [&](const Pin& pin) { return isGone(pin.piece); });
+    return edited;
+}
+
+Result<Pattern> renamePiece(const Pattern& pattern, const PieceId& piece, std::string name) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        if (name.empty()) return fail(ErrorCode::invalidInput, "A piece needs a name.", placeOf(p));
+        p.name = std::move(name);
+        return {};
+    });
+}
+
+Result<Pattern> movePiece(const Pattern& pattern, const PieceId& piece, Vec2 tablePosition) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        if (!geometry::isFinite(tablePosition))
+            return fail(ErrorCode::invalidInput, "A position must have finite coordinates.", placeOf(p));
+        p.tablePosition = tablePosition;
+        return {};
+    });
+}
+
+Result<Pattern> setGrain(const Pattern& pattern, const PieceId& piece, double grain) {
+    return changedShape(pattern, piece, [&](Piece& p) -> Result<void> {
+        if (!std::isfinite(grain)) return fail(ErrorCode::invalidInput, "The grain needs a finite angle.", placeOf(p));
+        p.grain = grain;
+        return {};
+    });
+}
+
+Result<Pattern> setSpacing(const Pattern& pattern, const PieceId& piece, double spacing) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        if (!(spacing > 0 && std::isfinite(spacing)))
+            return fail(ErrorCode::invalidInput, "The spacing must be a positive length.", placeOf(p));
+        p.spacing = spacing;
+        return {};
+    });
+}
+
+Result<Pattern> setSeamAllowance(const Pattern& pattern, const PieceId& piece, double allowance) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        if (!(allowance >= 0 && std::isfinite(allowance)))
+            return fail(ErrorCode::invalidInput, "A seam allowance cannot be negative.", placeOf(p));
+        p.seamAllowance = allowance;
+        return {};
+    });
+}
+
+Result<Pattern> setLineRule(const Pattern& pattern, const PieceId& piece, LineRule rule) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        p.rule = rule;
+        return {};
+    });
+}
+
+Result<Pattern> setRegionBorder(const Pattern& pattern, const PieceId& piece, RegionBorder border) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        p.border = border;
+        return {};
+    });
+}
+
+Pattern laidOut(const Pattern& pattern) {
+    Pattern next = pattern;
+    Vec2 at;
+    double rowHeight = 0;
+    for (auto& shared : next.pieces) {
+        Piece piece = *shared;
+        const geometry::Box2 box = tableBox(pattern, piece);
+        const Vec2 size = box.high - box.low;
+        if (at.x > 0 && at.x + size.x > tableWidth) { // rows go downwards: y is up
+            at = {0, at.y - rowHeight - tableGap};
+            rowHeight = 0;
+        }
+        const Vec2 topLeft{box.low.x, box.high.y};
+        piece.tablePosition += at - topLeft;
+        at.x += size.x + tableGap;
+        rowHeight = std::max(rowHeight, size.y);
+        shared = std::move(piece);
+    }
+    return next;
+}
+
+bool piecesCoverEachOther(const Pattern& pattern) {
+    std::vector<geometry::Box2> boxes;
+    for (const auto& piece : pattern.pieces) boxes.push_back(tableBox(pattern, *piece));
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (overlap(boxes[i], boxes[j])) return true;
+    return false;
+}
+
+Result<Pattern> addPin(const Pattern& pattern, const PieceId& piece, const VertexId& vertex, IdSource& ids) {
+    const Piece* holder = findPiece(pattern, piece);
+    const Piece* shape = holder ? shapeOf(pattern, *holder) : nullptr;
+    if (!shape) return fail(ErrorCode::notFound, fmt::format("There is no piece \"{}\".", piece.value));
+    if (!findVertex(*shape, vertex))
+        return fail(ErrorCode::notFound, fmt::format("There is no point \"{}\".", vertex.value), placeOf(*holder));
+    if (std::ranges::any_of(pattern.pins, [&](const Pin& pin) { return pin.piece == piece && pin.vertex == vertex; }))
+        return fail(ErrorCode::invalidInput, "This point is pinned already.", placeOf(*holder));
+    Pattern next = pattern;
+    next.pins.push_back({ids.take<PinId>(), piece, vertex});
+    return next;
+}
+
+Result<Pattern> removePin(const Pattern& pattern, const PinId& pin) {
+    Pattern next = pattern;
+    if (std::erase_if(next.pins, [&](const Pin& p) { return p.id == pin; }) == 0)
+        return fail(ErrorCode::notFound, fmt::format("There is no pin \"{}\".", pin.value));
+    return next;
+}
+
+} // namespace toile::pattern

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/pattern/Editing.h"
+#include "core/pattern/Ids.h"
+
+namespace toile::pattern {
+
+// Edits of whole pieces. All are pure.
+
+/// Adds a piece that has its id (IdSource, contourThrough). Error when the id is taken or the outline is empty.
+[[nodiscard]] Result<Pattern> addPiece(const Pattern& pattern, Piece piece);
+/// Adds a mirror image: it follows every edit of its source. The line goes through two points of the source [m].
+[[nodiscard]] Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Vec2 lineStart, Vec2 lineEnd,
+                                             std::string name, IdSource& ids);
+/// Its mirror images, seams and pins go with it; a warning names each.
+[[nodiscard]] Result<Edited> deletePiece(const Pattern& pattern, const PieceId& piece);
+
+[[nodiscard]] Result<Pattern> renamePiece(const Pattern& pattern, const PieceId& piece, std::string name);
+/// Moves the piece on the pattern table; its shape and its place in space stay.
+[[nodiscard]] Result<Pattern> movePiece(const Pattern& pattern, const PieceId& piece, Vec2 tablePosition);
+/// Direction of warp from +y, counter-clockwise [rad].
+[[nodiscard]] Result<Pattern> setGrain(const Pattern& pattern, const PieceId& piece, double grain);
+/// ε_m [m].
+[[nodiscard]] Result<Pattern> setSpacing(const Pattern& pattern, const PieceId& piece, double spacing);
+[[nodiscard]] Result<Pattern> setSeamAllowance(const Pattern& pattern, const PieceId& piece, double allowance);
+[[nodiscard]] Result<Pattern> setLineRule(const Pattern& pattern, const PieceId& piece, LineRule rule);
+[[nodiscard]] Result<Pattern> setRegionBorder(const Pattern& pattern, const PieceId& piece, RegionBorder border);
+
+/// Lays all pieces out on the table in rows, so that none covers another.
+[[nodiscard]] Pattern laidOut(const Pattern& pattern);
+/// Some pieces cover each other on the table, as in a pattern that was never laid out.
+[[nodiscard]] bool piecesCoverEachOther(const Pattern& pattern);
+
+/// Holds a vertex where it starts. Error when it is held already.
+[[nodiscard]] Result<Pattern> addPin(const Pattern& pattern, const PieceId& piece, const VertexId& vertex, IdSource& ids);
+[[nodiscard]] Result<Pattern> removePin(const Pattern& pattern, const PinId& pin);
+
+} // namespace toile::pattern

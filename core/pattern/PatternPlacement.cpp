@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/PatternPlacement.h"
+
+#include <cmath>
+
+namespace toile::pattern {
+namespace {
+
+Result<Curl> usable(const Curl& curl, const Piece& piece) {
+    const double size = geometry::length(curl.axis);
+    if (!(size > 1e-9 && std::isfinite(size)))
+        return fail(ErrorCode::invalidInput, "The axis of a curl needs a direction.", placeOf(piece));
+    if (!(curl.radius > 0 && std::isfinite(curl.radius)))
+        return fail(ErrorCode::invalidInput, "The radius of a curl must be a positive length.", placeOf(piece));
+    return Curl{curl.axis / size, curl.radius};
+}
+
+Result<void> rigid(const Transform& transform, const Piece& piece) {
+    if (isRigid(transform)) return {};
+    return fail(ErrorCode::invalidInput, "A placement moves and turns a piece, but does not stretch or mirror it.", placeOf(piece));
+}
+
+} // namespace
+
+bool isRigid(const Transform& t) {
+    constexpr double tolerance = 1e-6;
+    const auto unit = [](const Vec3& a) { return std::abs(squaredLength(a) - 1) <= tolerance; };
+    return isFinite(t.origin) && unit(t.axisX) && unit(t.axisY) && unit(t.axisZ) &&
+           squaredLength(cross(t.axisX, t.axisY) - t.axisZ) <= tolerance * tolerance;
+}
+
+Result<Pattern> setPlacement(const Pattern& pattern, const PieceId& piece, const std::optional<Placement>& placement) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        p.placement = placement;
+        if (!placement) return {};
+        if (auto ok = rigid(placement->transform, p); !ok) return ok;
+        if (!placement->curl) return {};
+        return usable(*placement->curl, p).map([&](const Curl& curl) { p.placement->curl = curl; });
+    });
+}
+
+Result<Pattern> movePlacement(const Pattern& pattern, const PieceId& piece, const Transform& motion) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        if (!p.placement) return fail(ErrorCode::invalidInput, "This piece is not placed yet.", placeOf(p));
+        p.placement->transform = composed(motion, p.placement->transform);
+        return rigid(p.placement->transform, p);
+    });
+}
+
+Result<Pattern> setCurl(const Pattern& pattern, const PieceId& piece, const std::optional<Curl>& curl) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        if (!p.placement) return fail(ErrorCode::invalidInput, "This piece is not placed yet.", placeOf(p));
+        p.placement->curl.reset();
+        if (!curl) return {};
+        return usable(*curl, p).map([&](const Curl& unit) { p.placement->curl = unit; });
+    });
+}
+
+} // namespace toile::pattern

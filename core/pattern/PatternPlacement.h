@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/pattern/Editing.h"
+
+namespace toile::pattern {
+
+// Where pieces start in space. All edits are pure.
+
+/// Absent = not placed: the piece cannot be sewn.
+[[nodiscard]] Result<Pattern> setPlacement(const Pattern& pattern, const PieceId& piece, const std::optional<Placement>& placement);
+/// Moves a placed piece by a rigid motion of space.
+[[nodiscard]] Result<Pattern> movePlacement(const Pattern& pattern, const PieceId& piece, const Transform& motion);
+/// Absent = flat. The axis is made a unit vector; the piece stays where its origin is.
+[[nodiscard]] Result<Pattern> setCurl(const Pattern& pattern, const PieceId& piece, const std::optional<Curl>& curl);
+
+/// A rigid motion: orthonormal axes, right-handed, to 1e-6.
+[[nodiscard]] bool isRigid(const Transform& transform);
+
+} // namespace toile::pattern

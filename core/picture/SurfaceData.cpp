@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/picture/SurfaceData.h"
+
+#include <algorithm>
+#include <set>
+
+namespace toile::picture {
+
+namespace {
+
+constexpr std::array<Colour, 6> regionTints{{{0.95f, 0.55f, 0.35f},
+                                             {0.40f, 0.72f, 0.45f},
+                                             {0.62f, 0.47f, 0.80f},
+                                             {0.93f, 0.77f, 0.32f},
+                                             {0.30f, 0.68f, 0.78f},
+                                             {0.88f, 0.48f, 0.66f}}};
+
+Colour mixed(Colour a, Colour b, float t) {
+    return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t, a.a};
+}
+
+std::uint8_t asByte(float x) {
+    return static_cast<std::uint8_t>(std::clamp(x, 0.0f, 1.0f) * 255 + 0.5f);
+}
+
+std::array<int, 2> ordered(int a, int b) {
+    return {std::min(a, b), std::max(a, b)};
+}
+
+std::array<float, 3> asFloats(const Vec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+} // namespace
+
+std::vector<SurfaceVertex> surfaceVertices(const std::vector<Vec3>& positions,
+                                           const std::vector<geometry::TriangleIndices>& triangles) {
+    struct Ring {
+        Vec3 normal, neighbours;
+        double squaredLengths = 0;
+        int count = 0;
+    };
+    std::vector<Ring> rings(positions.size());
+    const auto at = [&](int vertex) { return isFinite(positions[vertex]) ? positions[vertex] : Vec3{}; };
+    for (const auto& [ia, ib, ic] : triangles) {
+        const Vec3 a = at(ia), b = at(ib), c = at(ic);
+        const Vec3 doubledArea = cross(b - a, c - a);
+        const double ab = squaredLength(b - a), bc = squaredLength(c - b), ca = squaredLength(a - c);
+        const auto add = [&](int vertex, const Vec3& others, double lengths) {
+            rings[vertex].normal += doubledArea;
+            rings[vertex].neighbours += others;
+            rings[vertex].squaredLengths += lengths;
+            rings[vertex].count += 2;
+        };
+        add(ia, b + c, ab + ca);
+        add(ib, a + c, ab + bc);
+        add(ic, a + b, ca + bc);
+    }
+    std::vector<SurfaceVertex> vertices(positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const Ring& ring = rings[i];
+        const Vec3 position = at(static_cast<int>(i));
+        const double area = length(ring.normal);
+        const Vec3 normal = area > 0 ? ring.normal / area : Vec3{};
+        double cavity = 0;
+        if (ring.squaredLengths >
+            0) { // on a sphere of radius R the mean neighbour lies s²/(2R) below the tangent plane
+            const double rise = dot(ring.neighbours / ring.count - position, normal);
+            cavity = std::clamp(2 * rise * ring.count / ring.squaredLengths * cavityLength, -1.0, 1.0);
+        }
+        vertices[i] = {asFloats(position), asFloats(normal), static_cast<float>(cavity)};
+    }
+    return vertices;
+}
+
+std::vector<std::array<std::uint8_t, 4>> triangleColours(const RenderScene& scene,
+                                                         const simulation::FrameTopology& topology) {
+    std::vector<std::array<std::uint8_t, 4>> colours(topology.triangles.size());
+    for (const auto& piece : topology.pieces) {
+        const auto own = scene.pieceColours.find(piece.id);
+        const Colour fabric = own == scene.pieceColours.end() ? defaultFabricColour : own->second;
+        const bool selected = !scene.selectedPiece.empty() && piece.id == scene.selectedPiece;
+        for (int t = piece.firstTriangle; t < piece.firstTriangle + piece.triangleCount; ++t) {
+            const auto i = static_cast<std::size_t>(t);
+            const int region =
+                scene.options.regions && i < topology.triangleRegion.size() ? topology.triangleRegion[i] : -1;
+            const Colour c =
+                region < 0 ? fabric
+                           : mixed(fabric, regionTints[static_cast<std::size_t>(region) % regionTints.size()],
+                                   0.55f);
+            colours[i] = {asByte(c.r), asByte(c.g), asByte(c.b),
+                          static_cast<std::uint8_t>(selected ? 0 : 255)};
+        }
+    }
+    return colours;
+}
+
+std::vector<SeamLines> seamLines(const simulation::FrameTopology& topology) {
+    std::set<std::array<int, 2>> edges;
+    if (!topology.seams.empty())
+        for (const auto& [a, b, c] : topology.triangles)
+            edges.insert({ordered(a, b), ordered(b, c), ordered(c, a)});
+    std::vector<SeamLines> lines;
+    for (const auto& pairs : topology.seams) {
+        SeamLines seam;
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            seam.across.push_back(pairs[i]);
+            for (std::size_t side = 0; i > 0 && side < 2; ++side) {
+                const std::array<int, 2> step{pairs[i - 1][side], pairs[i][side]};
+                if (edges.contains(ordered(step[0], step[1]))) seam.along.push_back(step);
+            }
+        }
+        lines.push_back(std::move(seam));
+    }
+    return lines;
+}
+
+std::vector<std::vector<std::array<int, 2>>> pieceBorders(const simulation::FrameTopology& topology) {
+    std::vector<std::vector<std::array<int, 2>>> borders;
+    for (const auto& piece : topology.pieces) {
+        std::set<std::array<int, 2>> seenOnce;
+        const auto first = topology.triangles.begin() + piece.firstTriangle;
+        for (auto t = first; t != first + piece.triangleCount; ++t)
+            for (const auto& edge :
+                 {ordered((*t)[0], (*t)[1]), ordered((*t)[1], (*t)[2]), ordered((*t)[2], (*t)[0])})
+                if (!seenOnce.insert(edge).second) seenOnce.erase(edge);
+        borders.emplace_back(seenOnce.begin(), seenOnce.end());
+    }
+    return borders;
+}
+
+} // namespace toile::picture

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/Garment.h"
+
+#include <optional>
+
+namespace toile::simulation {
+
+/// Where a point of one piece of a mesh is in a drape: found in the display triangle that holds it, or the nearest.
+class DrapedPiece {
+public:
+    /// nodes: flat positions in the piece; positions: draped, of the same nodes.
+    DrapedPiece(const meshing::PieceMesh& mesh, std::span<const Vec3> positions);
+
+    [[nodiscard]] Vec3 at(Vec2 point) const;
+
+private:
+    [[nodiscard]] Vec3 inTriangle(std::size_t triangle, Vec2 point) const;
+
+    const meshing::PieceMesh& mesh_;
+    std::span<const Vec3> positions_;
+    Vec2 low_;
+    double cell_ = 1;
+    int columns_ = 1, rows_ = 1;
+    std::vector<std::vector<int>> trianglesIn_; ///< by grid cell
+};
+
+} // namespace toile::simulation

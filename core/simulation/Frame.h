@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Shared.h"
+#include "core/geometry/Vec.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace toile::simulation {
+
+/// What of a frame does not change while the document stays the same: shared by all frames of a generation.
+/// Vertices are the nodes of all pieces in the order of the pattern, each piece's in one run.
+struct FrameTopology {
+    struct PieceRange {
+        std::string id, name;
+        int firstVertex = 0, vertexCount = 0;
+        int firstTriangle = 0, triangleCount = 0;
+    };
+    std::vector<PieceRange> pieces;
+    std::vector<std::array<int, 3>> triangles;      ///< the right side is counter-clockwise
+    std::vector<int> triangleRegion;                ///< −1 = main region
+    std::vector<Vec2> material;                     ///< u weft, v warp of each vertex [m]
+    std::vector<std::vector<std::array<int, 2>>> seams; ///< pairs of vertices, by seam of the pattern
+    std::vector<std::array<int, 2>> meshLines;      ///< edges of the scan-line mesh, for wireframes
+};
+
+/// A picture of the running simulation: a value for other threads.
+struct Frame {
+    std::uint64_t generation = 0; ///< of the scene it belongs to
+    Shared<FrameTopology> topology;
+    std::vector<Vec3> positions; ///< of the topology's vertices [m]
+    double time = 0;             ///< simulated [s]
+    double framesPerSecond = 0;  ///< simulated frames computed a second
+    int particles = 0;
+    double largestSeamGap = 0;   ///< over seams not merged yet [m]
+    double largestSpeed = 0;     ///< [m/s]
+    bool atRest = false;
+    std::string message;         ///< what the user should know, e.g. why it stopped
+};
+
+} // namespace toile::simulation

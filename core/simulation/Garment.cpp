@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Garment.h"
+
+#include "core/cloth/Patch.h"
+#include "core/simulation/SeamHinges.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace toile::simulation {
+namespace {
+
+using pattern::Pattern;
+using pattern::Piece;
+
+cloth::StiffnessFactors factorsOf(const Piece& piece, int region) {
+    if (region < 0) return {};
+    const pattern::StiffnessFactors& f = piece.regions[region].stiffness;
+    return {f.stretch, f.shear, f.bending};
+}
+
+cloth::Patch patchOf(const Piece& piece, const meshing::PieceMesh& mesh, std::span<const int> particles) {
+    cloth::Patch patch;
+    patch.material = mesh.material;
+    patch.particles.assign(particles.begin(), particles.end());
+    for (const meshing::Rectangle& cell : mesh.rectangles)
+        patch.rectangles.push_back({cell.nodes, factorsOf(piece, cell.region)});
+    for (const meshing::Triangle& t : mesh.triangles) patch.triangles.push_back({t.nodes, factorsOf(piece, t.region)});
+    for (const meshing::SlaveNode& slave : mesh.slaves) patch.slaves.push_back({slave.node, slave.masters});
+    return patch;
+}
+
+/// The node at a vertex of a piece: the first of the edge that leaves it.
+Result<int> nodeAt(const Piece& piece, const meshing::PieceMesh& mesh, const pattern::Pin& pin) {
+    for (std::size_t loop = 0; loop < mesh.loops.size(); ++loop) {
+        const pattern::Contour& contour = loop == 0 ? piece.outline : piece.holes[loop - 1];
+        for (std::size_t vertex = 0; vertex < contour.vertices.size(); ++vertex)
+            if (contour.vertices[vertex].id == pin.vertex) return mesh.loops[loop][vertex].front().node;
+    }
+    return fail(ErrorCode::invalidInput, fmt::format("Piece \"{}\" has no vertex \"{}\".", piece.name, pin.vertex.value),
+                {.object = fmt::format("pin \"{}\"", pin.id.value)});
+}
+
+Result<void> pinParticles(Garment& garment, const Pattern& pattern) {
+    for (const pattern::Pin& pin : pattern.pins) {
+        const auto at = std::ranges::find_if(pattern.pieces, [&](const auto& piece) { return piece->id == pin.piece; });
+        if (at == pattern.pieces.end())
+            return fail(ErrorCode::invalidInput, fmt::format("There is no piece \"{}\".", pin.piece.value),
+                        {.object = fmt::format("pin \"{}\"", pin.id.value)});
+        const int piece = static_cast<int>(at - pattern.pieces.begin());
+        const auto node = nodeAt(pattern::resolved(pattern, **at), garment.mesh->pieces[piece], pin);
+        if (!node) return tl::unexpected(node.error());
+        garment.model.pinned.push_back(garment.particles.particle({piece, *node}));
+    }
+    std::ranges::sort(garment.model.pinned);
+    const auto [first, last] = std::ranges::unique(garment.model.pinned);
+    garment.model.pinned.erase(first, last);
+    return {};
+}
+
+} // namespace
+
+Result<Garment> makeGarment(const Pattern& pattern, Shared<meshing::GarmentMesh> mesh, std::vector<bool> mergedSeams) {
+    Garment garment{std::move(mesh), std::move(mergedSeams), {}, {}, {}, {}};
+    garment.particles = particleMap(*garment.mesh, garment.mergedSeams);
+    garment.halfThickness.assign(garment.particles.particleCount, 0);
+    garment.friction.assign(garment.particles.particleCount, 0);
+    for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
+        const Piece& piece = *pattern.pieces[i];
+        const meshing::PieceMesh& pieceMesh = garment.mesh->pieces[i];
+        const material::Fabric* fabric = pattern::findFabric(pattern, piece.fabric);
+        if (!fabric)
+            return fail(ErrorCode::invalidInput, fmt::format("There is no fabric \"{}\".", piece.fabric.value),
+                        {.object = fmt::format("piece \"{}\"", piece.name)});
+        const std::span<const int> particles(garment.particles.particleOf.data() + garment.particles.firstNode[i],
+                                             pieceMesh.nodes.size());
+        const Piece source = pattern::resolved(pattern, piece);
+        const auto report = cloth::appendPatch(
+            garment.model, patchOf(source, pieceMesh, particles), *fabric,
+            {fabric->kind == material::FabricKind::knit ? cloth::CellForm::membrane : cloth::CellForm::automatic});
+        if (!report) return tl::unexpected(report.error());
+        for (const int particle : particles) {
+            garment.halfThickness[particle] = std::max(garment.halfThickness[particle], 0.5 * fabric->thickness);
+            garment.friction[particle] = std::max(garment.friction[particle], fabric->friction);
+        }
+    }
+    appendSeamHinges(garment.model, pattern, *garment.mesh, garment.mergedSeams, garment.particles);
+    if (const auto pinned = pinParticles(garment, pattern); !pinned) return tl::unexpected(pinned.error());
+    cloth::doubleBendingAtClampedRows(garment.model);
+    return garment;
+}
+
+std::vector<std::array<int, 3>> particleTriangles(const Garment& garment) {
+    std::vector<std::array<int, 3>> triangles;
+    for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece) {
+        const int first = garment.particles.firstNode[piece];
+        for (const auto& [a, b, c] : garment.mesh->pieces[piece].display)
+            triangles.push_back({garment.particles.particleOf[first + a], garment.particles.particleOf[first + b],
+                                 garment.particles.particleOf[first + c]});
+    }
+    return triangles;
+}
+
+} // namespace toile::simulation

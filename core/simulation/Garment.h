@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/base/Shared.h"
+#include "core/cloth/ClothModel.h"
+#include "core/simulation/ParticleMap.h"
+#include "core/pattern/Pattern.h"
+
+#include <vector>
+
+namespace toile::simulation {
+
+/// A meshed pattern as cloth, with some of its seams merged.
+struct Garment {
+    Shared<meshing::GarmentMesh> mesh;
+    std::vector<bool> mergedSeams;
+    ParticleMap particles;
+    cloth::ClothModel model;
+    std::vector<double> halfThickness; ///< of the cloth at each particle [m]
+    std::vector<double> friction;      ///< of the cloth at each particle [–]
+};
+
+/// Builds the cloth. Errors name the fabric or pin that is wrong.
+[[nodiscard]] Result<Garment> makeGarment(const pattern::Pattern& pattern, Shared<meshing::GarmentMesh> mesh,
+                                          std::vector<bool> mergedSeams);
+
+/// The display triangles of all pieces, naming particles.
+[[nodiscard]] std::vector<std::array<int, 3>> particleTriangles(const Garment& garment);
+
+} // namespace toile::simulation

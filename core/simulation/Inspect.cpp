@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Inspect.h"
+
+#include "core/base/Sha256.h"
+#include "core/cloth/Strain.h"
+#include "core/collision/Intersections.h"
+#include "core/simulation/Topology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace toile::simulation {
+namespace {
+
+geometry::TriangleMesh clothMesh(const Simulation& simulation) {
+    geometry::TriangleMesh mesh{simulation.state().positions, {}};
+    for (const auto& t : particleTriangles(simulation.garment()))
+        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);
+    return mesh;
+}
+
+/// The elements of a piece as the strain measure takes them.
+cloth::Patch strainPatch(const Garment& garment, std::size_t piece) {
+    const meshing::PieceMesh& mesh = garment.mesh->pieces[piece];
+    cloth::Patch patch;
+    patch.material = mesh.material;
+    const auto first = garment.particles.particleOf.begin() + garment.particles.firstNode[piece];
+    patch.particles.assign(first, first + static_cast<std::ptrdiff_t>(mesh.nodes.size()));
+    for (const meshing::Rectangle& cell : mesh.rectangles) patch.rectangles.push_back({cell.nodes, {}});
+    for (const meshing::Triangle& t : mesh.triangles) patch.triangles.push_back({t.nodes, {}});
+    return patch;
+}
+
+std::optional<int> nodeOf(const pattern::Contour& outline, const meshing::PieceMesh& mesh, const pattern::VertexId& vertex) {
+    for (std::size_t i = 0; i < outline.vertices.size(); ++i)
+        if (outline.vertices[i].id == vertex) return mesh.loops[0][i].front().node;
+    return std::nullopt;
+}
+
+/// Corners of the outline: shoulder tips, underarms, ends of hems. Points that only shape an edge are no landmarks: in
+/// the middle of a side seam the cloth may fold one way on the left and the other way on the right.
+std::vector<pattern::Vertex> landmarkVertices(const pattern::Contour& outline) {
+    constexpr double leastTurn = 0.5; // [rad]
+    std::vector<pattern::Vertex> corners;
+    const std::size_t count = outline.vertices.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec2 in = geometry::tangentAt(pattern::curveOf(outline, (i + count - 1) % count), 1);
+        const Vec2 out = geometry::tangentAt(pattern::curveOf(outline, i), 0);
+        if (std::abs(std::atan2(geometry::cross(in, out), geometry::dot(in, out))) > leastTurn) corners.push_back(outline.vertices[i]);
+    }
+    return corners;
+}
+
+} // namespace
+
+StrainSummary strainOf(const Simulation& simulation) {
+    StrainSummary summary;
+    std::vector<std::pair<double, double>> warp, weft;
+    double area = 0, squares = 0;
+    const Garment& garment = simulation.garment();
+    for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece)
+        for (const cloth::Strain& strain : cloth::strains(strainPatch(garment, piece), simulation.state().positions)) {
+            warp.emplace_back(strain.warp, strain.area);
+            weft.emplace_back(strain.weft, strain.area);
+            summary.warpMaximum = std::max(summary.warpMaximum, strain.warp);
+            summary.weftMaximum = std::max(summary.weftMaximum, strain.weft);
+            summary.shearMaximum = std::max(summary.shearMaximum, std::abs(strain.shear));
+            squares += strain.area * (strain.warp * strain.warp + strain.weft * strain.weft);
+            area += strain.area;
+        }
+    if (area > 0) summary.rms = std::sqrt(squares / (2 * area));
+    summary.warpPercentile99 = cloth::areaPercentile(std::move(warp), 0.99);
+    summary.weftPercentile99 = cloth::areaPercentile(std::move(weft), 0.99);
+    return summary;
+}
+
+ContactSummary contactOf(const Simulation& simulation) {
+    ContactSummary summary;
+    const geometry::TriangleMesh cloth = clothMesh(simulation);
+    summary.selfIntersections = static_cast<int>(collision::selfIntersectingTriangles(cloth).size());
+    const collision::BodySurface* body = simulation.body();
+    if (!body) return summary;
+    summary.bodyIntersections = static_cast<int>(collision::intersectingTriangles(cloth, body->mesh()).size());
+    double least = std::numeric_limits<double>::infinity();
+    constexpr double searchRadius = 0.1; // [m]; cloth farther off does not set the minimum
+    for (const Vec3& p : cloth.vertices)
+        if (const auto nearest = body->nearest(p, searchRadius)) least = std::min(least, nearest->signedDistance);
+    if (std::isfinite(least)) {
+        summary.bodyClearanceMinimum = least;
+        summary.bodyPenetrationMaximum = std::max(0.0, -least);
+    }
+    summary.outsideBody = summary.bodyIntersections == 0 && least >= simulation.scene().settings.skinOffset / 3;
+    return summary;
+}
+
+Drape drapeOf(const Simulation& simulation) {
+    const Garment& garment = simulation.garment();
+    const pattern::Pattern& pattern = simulation.scene().pattern;
+    Drape drape{particleTriangles(garment), simulation.state().positions, {}, {}};
+    const std::vector<Vec3> placed = placedNodes(pattern, *garment.mesh);
+    drape.start.resize(garment.particles.particleCount);
+    for (std::size_t node = 0; node < placed.size(); ++node) drape.start[garment.particles.particleOf[node]] = placed[node];
+
+    for (std::size_t image = 0; image < pattern.pieces.size(); ++image) {
+        if (!pattern.pieces[image]->mirror) continue;
+        const auto source = std::ranges::find_if(
+            pattern.pieces, [&](const auto& piece) { return piece->id == pattern.pieces[image]->mirror->source; });
+        if (source == pattern.pieces.end()) continue;
+        const auto sourceIndex = static_cast<int>(source - pattern.pieces.begin());
+        const pattern::Piece resolved = pattern::resolved(pattern, *pattern.pieces[image]);
+        for (const pattern::Vertex& vertex : landmarkVertices((*source)->outline)) {
+            const auto left = nodeOf((*source)->outline, garment.mesh->pieces[sourceIndex], vertex.id);
+            const auto right = nodeOf(resolved.outline, garment.mesh->pieces[image], vertex.id);
+            if (left && right)
+                drape.mirrorPairs.push_back({garment.particles.particle({sourceIndex, *left}),
+                                             garment.particles.particle({static_cast<int>(image), *right})});
+        }
+    }
+    return drape;
+}
+
+std::string resultHash(const Simulation& simulation) {
+    const Garment& garment = simulation.garment();
+    std::vector<double> numbers;
+    for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece) {
+        const meshing::PieceMesh& mesh = garment.mesh->pieces[piece];
+        std::vector<int> order(mesh.nodes.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::ranges::stable_sort(order, {}, [&](int node) { return std::pair(mesh.material[node].y, mesh.material[node].x); });
+        for (const int node : order) {
+            const Vec3& p = simulation.state().positions[garment.particles.particleOf[garment.particles.firstNode[piece] + node]];
+            numbers.insert(numbers.end(), {p.x, p.y, p.z});
+        }
+    }
+    return sha256(std::as_bytes(std::span(numbers)));
+}
+
+} // namespace toile::simulation

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/Sew.h"
+
+namespace toile::simulation {
+
+/// Stretch over all elements of the garment.
+[[nodiscard]] StrainSummary strainOf(const Simulation& simulation);
+
+/// How the cloth lies to the body and to itself; counted by a test that shares no code with the contact stages.
+[[nodiscard]] ContactSummary contactOf(const Simulation& simulation);
+
+/// The drape as the verdict "worn" needs it.
+[[nodiscard]] Drape drapeOf(const Simulation& simulation);
+
+/// SHA-256 of the positions of all nodes, little-endian doubles, in order of piece, row (v), column (u).
+[[nodiscard]] std::string resultHash(const Simulation& simulation);
+
+} // namespace toile::simulation

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/ParticleMap.h"
+
+#include "core/base/Contracts.h"
+
+#include <numeric>
+
+namespace toile::simulation {
+namespace {
+
+/// Union-find over nodes; the smaller number is the root.
+class Classes {
+public:
+    explicit Classes(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+    int rootOf(int node) {
+        while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
+        return node;
+    }
+    void join(int a, int b) {
+        a = rootOf(a);
+        b = rootOf(b);
+        if (a < b) parent_[b] = a;
+        else parent_[a] = b;
+    }
+
+private:
+    std::vector<int> parent_;
+};
+
+} // namespace
+
+ParticleMap particleMap(const meshing::GarmentMesh& mesh, const std::vector<bool>& mergedSeams) {
+    expects(mergedSeams.size() == mesh.seams.size(), "one flag per seam");
+    ParticleMap map;
+    int nodes = 0;
+    for (const meshing::PieceMesh& piece : mesh.pieces) {
+        map.firstNode.push_back(nodes);
+        nodes += static_cast<int>(piece.nodes.size());
+    }
+    Classes classes(nodes);
+    for (std::size_t seam = 0; seam < mesh.seams.size(); ++seam)
+        if (mergedSeams[seam])
+            for (const auto& [a, b] : mesh.seams[seam].pairs) classes.join(map.node(a), map.node(b));
+
+    map.particleOf.assign(nodes, -1);
+    for (int node = 0; node < nodes; ++node) {
+        const int root = classes.rootOf(node); // never after the node itself
+        map.particleOf[node] = root == node ? map.particleCount++ : map.particleOf[root];
+    }
+    return map;
+}
+
+} // namespace toile::simulation

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/PlanOf.h"
+
+#include "core/simulation/BodyContactOf.h"
+
+namespace toile::simulation {
+namespace {
+
+/// Parts of the cloth that this garment has no use for.
+void leaveOutElements(StepPlan& plan, const Garment& garment) {
+    const cloth::ClothModel& model = garment.model;
+    if (model.structural.empty()) plan.leaveOut("springs", "no woven piece");
+    if (model.cells.empty()) plan.leaveOut("membrane cells", "no knit");
+    if (model.triangles.empty()) plan.leaveOut("membrane triangles", "rectangles only");
+    if (model.bending.empty()) plan.leaveOut("bending", "no bending stiffness");
+    if (model.twist.empty()) plan.leaveOut("twist", "4·B45 does not exceed B1 + B2 in any fabric");
+    if (model.hinges.empty()) plan.leaveOut("seam hinges", "no merged seam");
+    if (model.slaves.empty()) plan.leaveOut("slaves", "one spacing in every piece");
+    if (model.pinned.empty()) plan.leaveOut("pins", "nothing is pinned");
+}
+
+} // namespace
+
+StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body, std::vector<SeamPair> pairs) {
+    StepPlan plan;
+    leaveOutElements(plan, garment);
+
+    if (!pairs.empty()) plan.add(std::make_unique<SeamClosing>(std::move(pairs), SeamClosingSettings{.duration = scene.settings.seamTime}));
+    else plan.leaveOut("seams", garment.mergedSeams.empty() ? "the pattern has no seam" : "all seams are merged");
+
+    if (body) plan.add(bodyContactOf(scene, garment, *body)); // last: nothing moves cloth into the body afterwards
+    else plan.leaveOut("body contact", "no body");
+
+    plan.leaveOut("self-contact", scene.settings.selfContact ? "asked for, but this version has none" : "the scene does not ask for it");
+    return plan;
+}
+
+} // namespace toile::simulation

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/collision/BodySurface.h"
+#include "core/simulation/Garment.h"
+#include "core/simulation/Scene.h"
+#include "core/simulation/SeamClosing.h"
+#include "core/simulation/StepPlan.h"
+
+namespace toile::simulation {
+
+/// What one step of this scene does: read from top to bottom. body may be null; pairs are those of seams being
+/// closed.
+[[nodiscard]] StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
+                              std::vector<SeamPair> pairs);
+
+} // namespace toile::simulation

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Runner.h"
+
+#include "core/base/Mailbox.h"
+#include "core/simulation/Simulation.h"
+
+#include <atomic>
+#include <thread>
+
+namespace toile::simulation {
+namespace {
+
+struct Order {
+    Scene scene;
+    std::uint64_t generation = 0;
+};
+
+} // namespace
+
+/// Everything above the line is touched by both threads, everything below by the worker's alone.
+class Runner::Worker {
+public:
+    Worker() : thread_([this](std::stop_token stop) { run(stop); }) {}
+    ~Worker() {
+        thread_.request_stop();
+        wake();
+    }
+
+    void order(Order order) {
+        orders_.put(std::move(order));
+        wake();
+    }
+    void setPlaying(bool playing) {
+        playing_ = playing;
+        wake();
+    }
+    void requestStep() {
+        playing_ = false;
+        ++steps_;
+        wake();
+    }
+    void requestReset() {
+        playing_ = false;
+        reset_ = true;
+        wake();
+    }
+    [[nodiscard]] bool isPlaying() const { return playing_; }
+    [[nodiscard]] std::optional<Frame> takeFrame() { return frames_.take(); }
+
+private:
+    void wake() {
+        ++signal_;
+        signal_.notify_one();
+    }
+
+    // -- shared
+    Mailbox<Order> orders_;
+    Mailbox<Frame> frames_;
+    std::atomic<bool> playing_{false}, reset_{false};
+    std::atomic<int> steps_{0};
+    std::atomic<std::uint64_t> signal_{0};
+
+    // -- the worker's
+    void run(std::stop_token stop) {
+        while (!stop.stop_requested()) {
+            const std::uint64_t seen = signal_;
+            if (auto order = orders_.take()) accept(std::move(*order));
+            if (reset_.exchange(false)) restart();
+            if (steps_ > 0) {
+                --steps_;
+                advance();
+            } else if (playing_ && simulation_) {
+                advance();
+            } else {
+                signal_.wait(seen); // returns at once when something was ordered meanwhile
+            }
+        }
+    }
+
+    void accept(Order order) {
+        scene_ = std::move(order.scene);
+        generation_ = order.generation;
+        adopt(simulation_ && simulation_->steps() > 0 ? Simulation::continued(scene_, *simulation_)
+                                                      : Simulation::create(scene_));
+    }
+
+    void restart() {
+        if (generation_ > 0) adopt(Simulation::create(scene_));
+    }
+
+    void adopt(Result<Simulation> made) {
+        if (made) {
+            simulation_.emplace(std::move(*made));
+            publish({});
+        } else {
+            simulation_.reset();
+            stopWith(toString(made.error()));
+        }
+    }
+
+    void advance() {
+        if (!simulation_) return;
+        const auto advanced = simulation_->advance();
+        if (advanced) publish({});
+        else stopWith(toString(advanced.error()));
+    }
+
+    void publish(std::string message) {
+        Frame frame = simulation_ ? simulation_->frame() : Frame{};
+        frame.generation = generation_;
+        frame.message = std::move(message);
+        frames_.put(std::move(frame));
+    }
+
+    void stopWith(std::string message) {
+        playing_ = false;
+        publish(std::move(message));
+    }
+
+    Scene scene_;
+    std::uint64_t generation_ = 0;
+    std::optional<Simulation> simulation_;
+
+    std::jthread thread_; // last: starts when all else stands, ends before all else goes
+};
+
+Runner::Runner() : worker_(std::make_unique<Worker>()) {}
+Runner::~Runner() = default;
+
+void Runner::setScene(Scene scene, std::uint64_t generation) { worker_->order({std::move(scene), generation}); }
+void Runner::play() { worker_->setPlaying(true); }
+void Runner::pause() { worker_->setPlaying(false); }
+void Runner::step() { worker_->requestStep(); }
+void Runner::reset() { worker_->requestReset(); }
+bool Runner::isPlaying() const { return worker_->isPlaying(); }
+std::optional<Frame> Runner::takeFrame() { return worker_->takeFrame(); }
+
+} // namespace toile::simulation

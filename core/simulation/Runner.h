@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/Frame.h"
+#include "core/simulation/Scene.h"
+
+#include <memory>
+#include <optional>
+
+namespace toile::simulation {
+
+/// Runs a simulation on a thread of its own. The owner hands over scenes and takes frames; neither side waits:
+/// both are mailboxes in which the newest value wins.
+class Runner {
+public:
+    Runner();
+    ~Runner(); ///< stops the thread
+
+    /// The garment to simulate from now on. If only values changed, the drape is kept where it can be
+    /// (positions carried over by material coordinates). What is playing goes on playing. generation > 0, rising.
+    void setScene(Scene scene, std::uint64_t generation);
+    void play();
+    void pause();
+    void step();  ///< one frame step, then paused
+    void reset(); ///< back to the placement, paused
+    [[nodiscard]] bool isPlaying() const;
+
+    /// The newest frame if there is one that was not taken yet. Called once per repaint.
+    [[nodiscard]] std::optional<Frame> takeFrame();
+
+private:
+    class Worker;
+    std::unique_ptr<Worker> worker_;
+};
+
+} // namespace toile::simulation

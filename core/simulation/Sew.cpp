@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Sew.h"
+
+#include "core/dynamics/Energy.h"
+#include "core/simulation/Inspect.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+namespace toile::simulation {
+namespace {
+
+constexpr double restBeforeFinish = 0.5; // [s]
+
+/// Linux counts in kilobytes.
+std::size_t peakBytes() {
+    rusage usage{};
+    return getrusage(RUSAGE_SELF, &usage) == 0 ? 1024 * static_cast<std::size_t>(usage.ru_maxrss) : 0;
+}
+
+double processSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+std::string describe(const Simulation& simulation) {
+    const auto& seams = simulation.seams();
+    const auto merged = std::ranges::count(seams, true, &SeamState::merged);
+    return fmt::format("{:.2f} s simulated, {} of {} seams sewn, speed {:.0f} mm/s", simulation.state().time, merged,
+                       seams.size(), 1000 * simulation.largestSpeed());
+}
+
+/// Steps until the time is over or the cloth rests.
+Result<std::string> run(Simulation& simulation, const SewSettings& settings, std::stop_token stop, const Progress& progress,
+                        const FrameObserver& observer) {
+    const double start = simulation.state().time, length = settings.seconds.value_or(settings.limit);
+    while (true) {
+        const double elapsed = simulation.state().time - start;
+        if (elapsed >= length - 1e-9) return settings.seconds ? "time is up" : "limit reached";
+        if (!settings.seconds && simulation.restingTime() >= restBeforeFinish) return "at rest";
+        if (stop.stop_requested()) return fail(ErrorCode::cancelled, "The run was stopped.");
+        if (const auto advanced = simulation.advance(); !advanced) return tl::unexpected(advanced.error());
+        report(progress, 0.9 * elapsed / length, describe(simulation));
+        if (observer) observer(simulation);
+    }
+}
+
+/// Statics. Where it does not come to an end, a fold is still snapping through: time goes on a little, and it is tried
+/// again from there.
+Result<void> finish(SewReport& result, Simulation& simulation, const SewSettings& settings, std::stop_token stop,
+                    const Progress& progress, const FrameObserver& observer) {
+    constexpr int attempts = 4;
+    result.finishDisplacementMaximum = 0;
+    for (int attempt = 0; attempt < attempts && !result.atRest; ++attempt) {
+        if (attempt > 0)
+            for (double rest = 0; rest < restBeforeFinish; rest += simulation.scene().settings.frameStep) {
+                if (stop.stop_requested()) return fail(ErrorCode::cancelled, "The run was stopped.");
+                if (const auto advanced = simulation.advance(); !advanced) return advanced;
+                if (observer) observer(simulation);
+            }
+        report(progress, 0.9, "finding the equilibrium");
+        const auto settled = simulation.settle(settings.statics, stop, progress);
+        if (!settled) return tl::unexpected(settled.error());
+        result.residual = settled->newton.residual;
+        result.finishDisplacementMaximum = std::max(*result.finishDisplacementMaximum, settled->displacementMaximum);
+        result.atRest = result.ending == "at rest" && settled->newton.converged;
+        if (result.ending != "at rest") break;
+    }
+    return {};
+}
+
+void countElements(SewReport& result, const cloth::ClothModel& model) {
+    result.particles = model.particleCount();
+    result.springsStructural = static_cast<int>(model.structural.size());
+    result.springsShear = static_cast<int>(model.shear.size());
+    result.bending = static_cast<int>(model.bending.size());
+    result.twist = static_cast<int>(model.twist.size());
+    result.clampedCells = model.clampedCells;
+}
+
+void warnOfOpenSeams(SewReport& result) {
+    for (const SeamResult& seam : result.seams)
+        if (!seam.state.merged)
+            result.warnings.push_back({fmt::format("seam \"{}\"", seam.state.name),
+                                       fmt::format("The seam is not closed; its gap is {:.1f} mm.", 1000 * seam.gap.maximum)});
+}
+
+/// What only a look at the whole result can tell.
+void judgeWorn(SewReport& result, const Simulation& simulation, const SewSettings& settings) {
+    const Scene& scene = simulation.scene();
+    if (!scene.body || (*scene.body)->axes.empty()) return;
+    WornReport worn = wornReport(drapeOf(simulation), **scene.body, *simulation.body(), settings.worn);
+    if (!result.allClosed()) worn.why.push_back("Not every seam is closed.");
+    if (!result.atRest) worn.why.push_back("The garment is not at rest.");
+    if (!result.contact.outsideBody) worn.why.push_back("The cloth is not outside the body.");
+    if (length(scene.settings.gravity) == 0) worn.why.push_back("Without gravity nothing hangs on the body.");
+    worn.worn = worn.why.empty();
+    result.worn = std::move(worn);
+}
+
+} // namespace
+
+bool SewReport::allClosed() const {
+    return std::ranges::all_of(seams, [](const SeamResult& seam) { return seam.state.merged; });
+}
+
+bool SewReport::reachedItsGoal(const SewSettings& settings) const {
+    return allClosed() && contact.outsideBody && (settings.seconds || atRest);
+}
+
+Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::stop_token stop, const Progress& progress,
+                      const FrameObserver& observer) {
+    const auto wallStart = std::chrono::steady_clock::now();
+    const double cpuStart = processSeconds();
+    SewReport result;
+    auto ending = run(simulation, settings, stop, progress, observer);
+    if (!ending) return tl::unexpected(ending.error());
+    result.ending = std::move(*ending);
+
+    if (settings.finish && !settings.seconds)
+        if (const auto finished = finish(result, simulation, settings, stop, progress, observer); !finished)
+            return tl::unexpected(finished.error());
+    countElements(result, simulation.garment().model);
+    for (std::size_t seam = 0; seam < simulation.seams().size(); ++seam)
+        result.seams.push_back({simulation.seams()[seam], simulation.seams()[seam].merged ? SeamGap{} : simulation.gapOf(seam)});
+    warnOfOpenSeams(result);
+    for (const Warning& warning : simulation.garment().mesh->report.warnings) result.warnings.push_back(warning);
+    result.contact = contactOf(simulation);
+    judgeWorn(result, simulation, settings);
+    result.strain = strainOf(simulation);
+    const dynamics::Energies energies = dynamics::energies(simulation.garment().model, simulation.state(),
+                                                           simulation.scene().settings.gravity);
+    result.kineticEnergy = energies.kinetic;
+    result.gravityEnergy = energies.gravity;
+    result.elasticEnergy = energies.elastic;
+    result.simulatedSeconds = simulation.state().time;
+    result.steps = simulation.steps();
+    result.substeps = simulation.substeps();
+    result.peakBytes = peakBytes();
+    result.resultHash = resultHash(simulation);
+    for (const StepPlan::StageCost& cost : simulation.stageCosts()) result.stages.push_back({cost.name, cost.seconds, cost.bytes});
+    result.leftOut = simulation.plan().leftOut();
+    result.cpuSeconds = processSeconds() - cpuStart;
+    result.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wallStart).count();
+    return result;
+}
+
+} // namespace toile::simulation

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Json.h"
+#include "core/simulation/Simulation.h"
+#include "core/simulation/Worn.h"
+
+#include <functional>
+
+namespace toile::simulation {
+
+struct SewSettings {
+    std::optional<double> seconds; ///< simulate just so long, without finish [s]; absent = until rest
+    double limit = 20;             ///< simulated time after which rest is no longer waited for [s]
+    bool finish = true;            ///< statics after rest
+    dynamics::StaticSettings statics;
+    WornSettings worn;
+};
+
+struct SeamResult {
+    SeamState state;
+    SeamGap gap; ///< at the end
+};
+
+struct StrainSummary {
+    double warpMaximum = 0, weftMaximum = 0, shearMaximum = 0; ///< largest stretch [–]; shear angle [rad]
+    double warpPercentile99 = 0, weftPercentile99 = 0;         ///< of the area [–]
+    double rms = 0;                                            ///< of warp and weft strain over the area [–]
+};
+
+struct ContactSummary {
+    double bodyPenetrationMaximum = 0;            ///< [m]
+    std::optional<double> bodyClearanceMinimum;   ///< [m]; absent without a body
+    int selfIntersections = 0, bodyIntersections = 0; ///< pairs of triangles, by the independent exact test
+    bool outsideBody = true; ///< no intersection, and a clearance of at least a third of the skin offset
+};
+
+struct StageShare {
+    std::string name;
+    double seconds = 0;
+    std::size_t bytes = 0;
+};
+
+/// What a run did and what became of the garment; written as sew.json (docs/formats/sew.md).
+struct SewReport {
+    int particles = 0, springsStructural = 0, springsShear = 0, bending = 0, twist = 0;
+    std::vector<SeamResult> seams;
+    std::optional<WornReport> worn; ///< absent without a body that has limbs
+    ContactSummary contact;
+    int clampedCells = 0;
+    std::optional<double> finishDisplacementMaximum; ///< [m]
+    StrainSummary strain;
+    double simulatedSeconds = 0, cpuSeconds = 0, wallSeconds = 0;
+    int steps = 0, substeps = 0;
+    bool atRest = false;
+    std::optional<double> residual; ///< largest unbalanced force over the mean particle weight [–]
+    double kineticEnergy = 0, gravityEnergy = 0, elasticEnergy = 0; ///< [J]
+    std::size_t peakBytes = 0; ///< most memory the process has held
+    std::string resultHash;
+    std::vector<StageShare> stages;
+    std::vector<LeftOut> leftOut;
+    std::vector<Warning> warnings;
+    std::string ending; ///< "at rest", "time is up" or "limit reached"
+
+    [[nodiscard]] bool allClosed() const;
+    /// Closed, at rest and outside the body.
+    [[nodiscard]] bool reachedItsGoal(const SewSettings& settings) const;
+};
+
+/// Called after every frame step.
+using FrameObserver = std::function<void(const Simulation&)>;
+
+/// Runs a simulation until its garment is at rest, finishes it by statics, and looks at the result.
+/// Errors: cancelled, or a number that is no longer finite.
+[[nodiscard]] Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::stop_token stop = {},
+                                    const Progress& progress = {}, const FrameObserver& observer = {});
+
+/// The keys that docs/formats/sew.md promises.
+[[nodiscard]] Json toJson(const SewReport& report);
+
+} // namespace toile::simulation

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Sew.h"
+
+namespace toile::simulation {
+namespace {
+
+template <class Range, class ToJson>
+Json listOf(const Range& range, ToJson itemToJson) {
+    Json list(Json::Array{});
+    for (const auto& item : range) list.push(itemToJson(item));
+    return list;
+}
+
+Json toJson(const SeamResult& seam) {
+    Json json;
+    json.set("name", seam.state.name).set("pairs", seam.state.pairs).set("initialGap", seam.state.initialGap);
+    json.set("gapAtMergeMaximum", seam.state.merged ? Json(seam.state.gapAtMerge) : Json());
+    json.set("maximumGap", seam.gap.maximum).set("meanGap", seam.gap.mean);
+    json.set("merged", seam.state.merged).set("closed", seam.state.merged);
+    return json;
+}
+
+Json toJson(const OpeningReport& opening) {
+    Json json;
+    json.set("name", opening.name).set("crossings", opening.crossings).set("limbs", listOf(opening.limbs, [](const auto& l) { return Json(l); }));
+    json.set("perimeter", opening.perimeter).set("height", opening.height);
+    return json;
+}
+
+Json numberOrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json toJson(const std::optional<WornReport>& worn) {
+    Json json;
+    if (!worn) {
+        json.set("verdict", nullptr).set("why", Json(Json::Array{"The scene has no body with limbs."})).set("openings", nullptr);
+        return json.set("rightSideOut", nullptr).set("turnedLength", nullptr).set("landmarks", nullptr);
+    }
+    json.set("verdict", worn->worn).set("why", listOf(worn->why, [](const auto& reason) { return Json(reason); }));
+    json.set("openings", listOf(worn->openings, [](const OpeningReport& opening) { return toJson(opening); }));
+    json.set("rightSideOut", worn->rightSideOut).set("turnedLength", worn->turnedLength);
+    Json landmarks;
+    landmarks.set("napeDistance", numberOrNull(worn->napeDistance));
+    landmarks.set("symmetryDifference", numberOrNull(worn->symmetryDifference));
+    landmarks.set("waistDrop", numberOrNull(worn->waistDrop));
+    return json.set("landmarks", landmarks);
+}
+
+Json toJson(const ContactSummary& contact) {
+    Json json;
+    json.set("bodyPenetrationMaximum", contact.bodyPenetrationMaximum);
+    json.set("bodyClearanceMinimum", numberOrNull(contact.bodyClearanceMinimum));
+    json.set("selfIntersections", contact.selfIntersections).set("bodyIntersections", contact.bodyIntersections);
+    return json.set("outsideBody", contact.outsideBody).set("guarantee", false);
+}
+
+} // namespace
+
+Json toJson(const SewReport& report) {
+    Json json;
+    json.set("particles", report.particles);
+    Json springs;
+    springs.set("structural", report.springsStructural).set("shear", report.springsShear);
+    springs.set("bending", report.bending).set("twist", report.twist);
+    json.set("springs", springs);
+    json.set("seams", listOf(report.seams, [](const SeamResult& seam) { return toJson(seam); }));
+    json.set("worn", toJson(report.worn));
+    json.set("contact", toJson(report.contact));
+    json.set("clampedCells", report.clampedCells);
+    json.set("finishDisplacementMaximum", numberOrNull(report.finishDisplacementMaximum));
+    Json strain;
+    strain.set("warpMaximum", report.strain.warpMaximum).set("weftMaximum", report.strain.weftMaximum);
+    strain.set("warpPercentile99", report.strain.warpPercentile99).set("weftPercentile99", report.strain.weftPercentile99);
+    strain.set("shearMaximum", report.strain.shearMaximum).set("rms", report.strain.rms);
+    json.set("strain", strain);
+    json.set("simulatedSeconds", report.simulatedSeconds).set("cpuSeconds", report.cpuSeconds).set("wallSeconds", report.wallSeconds);
+    json.set("steps", report.steps).set("substeps", report.substeps);
+    json.set("atRest", report.atRest).set("ending", report.ending).set("residual", numberOrNull(report.residual));
+    Json energy;
+    energy.set("kinetic", report.kineticEnergy).set("gravity", report.gravityEnergy).set("elastic", report.elasticEnergy);
+    json.set("energy", energy);
+    json.set("peakBytes", report.peakBytes).set("resultHash", report.resultHash);
+    json.set("stages", listOf(report.stages, [&](const StageShare& stage) {
+                 Json item;
+                 item.set("name", stage.name).set("seconds", stage.seconds);
+                 item.set("share", report.wallSeconds > 0 ? stage.seconds / report.wallSeconds : 0.0).set("bytes", stage.bytes);
+                 return item;
+             }));
+    json.set("leftOut", listOf(report.leftOut, [](const LeftOut& left) {
+                 Json item;
+                 item.set("stage", left.stage).set("why", left.why);
+                 return item;
+             }));
+    json.set("warnings", listOf(report.warnings, [](const Warning& warning) {
+                 Json item;
+                 item.set("place", warning.place).set("text", warning.text);
+                 return item;
+             }));
+    return json;
+}
+
+} // namespace toile::simulation

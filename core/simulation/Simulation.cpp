@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Simulation.h"
+
+#include "core/simulation/CarryOver.h"
+#include "core/simulation/PlanOf.h"
+#include "core/simulation/SeamClosing.h"
+#include "core/simulation/Topology.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <limits>
+
+namespace toile::simulation {
+namespace {
+
+constexpr double restingSpeed = 0.005; // [m/s]
+constexpr MergeRule mergeRule;
+constexpr DressingSettings dressing;
+/// A seam that is still open this long after its ramp ended is given up, so that the next order may begin [s].
+constexpr double patience = 2.0;
+
+Result<std::shared_ptr<const collision::BodySurface>> surfaceOf(const Scene& scene) {
+    if (!scene.body) return nullptr;
+    auto surface = collision::BodySurface::create((*scene.body)->mesh);
+    if (!surface) return tl::unexpected(surface.error());
+    return std::make_shared<const collision::BodySurface>(std::move(*surface));
+}
+
+Result<Garment> flatGarment(const Scene& scene, const MeshOverrides& overrides) {
+    const auto input = meshInputOf(scene.pattern, overrides);
+    if (!input) return tl::unexpected(input.error());
+    auto mesh = meshing::meshGarment(*input);
+    if (!mesh) return tl::unexpected(mesh.error());
+    std::vector<bool> merged(mesh->seams.size(), false);
+    return makeGarment(scene.pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), std::move(merged));
+}
+
+/// Particles where nodes are; nodes of one particle are taken at their mean.
+std::vector<Vec3> particlePositions(const ParticleMap& map, const std::vector<Vec3>& nodes) {
+    std::vector<Vec3> sum(map.particleCount);
+    std::vector<int> count(map.particleCount, 0);
+    for (std::size_t node = 0; node < nodes.size(); ++node) {
+        sum[map.particleOf[node]] += nodes[node];
+        ++count[map.particleOf[node]];
+    }
+    for (int particle = 0; particle < map.particleCount; ++particle) sum[particle] = sum[particle] / count[particle];
+    return sum;
+}
+
+/// Particles that become one take their common centre of mass and momentum.
+dynamics::ParticleState merged(const dynamics::ParticleState& before, const Garment& from, const Garment& to) {
+    constexpr double massOfSlaves = 1e-12; // a slave has no mass of its own and never merges; any weight will do
+    const int count = to.particles.particleCount;
+    dynamics::ParticleState after{std::vector<Vec3>(count), std::vector<Vec3>(count), before.time};
+    std::vector<double> mass(count, 0);
+    std::vector<char> counted(from.particles.particleCount, 0);
+    for (std::size_t node = 0; node < from.particles.particleOf.size(); ++node) {
+        const int old = from.particles.particleOf[node], now = to.particles.particleOf[node];
+        if (counted[old]++) continue;
+        const double m = std::max(from.model.mass[old], massOfSlaves);
+        after.positions[now] += before.positions[old] * m;
+        after.velocities[now] += before.velocities[old] * m;
+        mass[now] += m;
+    }
+    for (int particle = 0; particle < count; ++particle) {
+        after.positions[particle] = after.positions[particle] / mass[particle];
+        after.velocities[particle] = after.velocities[particle] / mass[particle];
+    }
+    return after;
+}
+
+void addCosts(std::vector<StepPlan::StageCost>& sum, const std::vector<StepPlan::StageCost>& more) {
+    for (const StepPlan::StageCost& cost : more) {
+        const auto same = std::ranges::find(sum, cost.name, &StepPlan::StageCost::name);
+        if (same == sum.end()) sum.push_back({cost.name, cost.seconds, 0});
+        else same->seconds += cost.seconds;
+    }
+}
+
+} // namespace
+
+Simulation::Simulation(Scene scene, Garment garment, std::shared_ptr<const collision::BodySurface> body)
+    : scene_(std::move(scene)), garment_(std::make_unique<const Garment>(std::move(garment))), body_(std::move(body)),
+      topology_(topologyOf(scene_.pattern, *garment_->mesh)) {
+    state_.positions = particlePositions(garment_->particles, placedNodes(scene_.pattern, *garment_->mesh));
+    state_.velocities.assign(state_.positions.size(), Vec3{});
+    for (std::size_t seam = 0; seam < garment_->mesh->seams.size(); ++seam) {
+        const pattern::Seam& authored = scene_.pattern.seams[seam];
+        seams_.push_back({authored.name.empty() ? authored.id.value : authored.name,
+                          static_cast<int>(garment_->mesh->seams[seam].pairs.size()), authored.order, gapOf(seam).maximum, 0, false});
+    }
+    seamGaps_.resize(seams_.size());
+    seamStart_.assign(seams_.size(), -1);
+    if (seams_.empty()) phase_ = Phase::draping;
+    startDueSeams();
+    rebuildPlan();
+}
+
+Result<Simulation> Simulation::create(Scene scene, const MeshOverrides& overrides) {
+    auto body = surfaceOf(scene);
+    if (!body) return tl::unexpected(body.error());
+    auto garment = flatGarment(scene, overrides);
+    if (!garment) return tl::unexpected(garment.error());
+    return Simulation(std::move(scene), std::move(*garment), std::move(*body));
+}
+
+Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) {
+    const bool sameBody = scene.body.has_value() == before.scene_.body.has_value() &&
+                          (!scene.body || scene.body->sameAs(*before.scene_.body));
+    auto body = sameBody ? Result<std::shared_ptr<const collision::BodySurface>>(before.body_) : surfaceOf(scene);
+    if (!body) return tl::unexpected(body.error());
+    auto garment = flatGarment(scene, {});
+    if (!garment) return tl::unexpected(garment.error());
+    Simulation after(std::move(scene), std::move(*garment), std::move(*body));
+
+    const std::vector<Vec3> draped = before.nodePositions();
+    std::vector<Vec3> nodes = after.nodePositions();
+    for (std::size_t piece = 0; piece < after.scene_.pattern.pieces.size(); ++piece) {
+        const auto& old = before.scene_.pattern.pieces;
+        const auto found = std::ranges::find_if(
+            old, [&](const auto& candidate) { return candidate->id == after.scene_.pattern.pieces[piece]->id; });
+        if (found == old.end()) continue;
+        const auto from = static_cast<std::size_t>(found - old.begin());
+        const meshing::PieceMesh& oldMesh = before.garment_->mesh->pieces[from];
+        const DrapedPiece drape(oldMesh, std::span(draped).subspan(before.garment_->particles.firstNode[from], oldMesh.nodes.size()));
+        const meshing::PieceMesh& mesh = after.garment_->mesh->pieces[piece];
+        for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
+            nodes[after.garment_->particles.firstNode[piece] + node] = drape.at(mesh.nodes[node]);
+    }
+    after.state_.positions = particlePositions(after.garment_->particles, nodes);
+    after.state_.time = before.state_.time;
+    after.steps_ = before.steps_;
+    after.seamStart_.assign(after.seams_.size(), -1);
+    after.startDueSeams();
+    after.rebuildPlan();
+    return after;
+}
+
+void Simulation::rebuildPlan() {
+    std::vector<SeamPair> pairs;
+    for (const std::size_t seam : closingSeams()) {
+        const auto& nodes = garment_->mesh->seams[seam].pairs;
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            const int a = garment_->particles.particle(nodes[k][0]), b = garment_->particles.particle(nodes[k][1]);
+            if (a != b) pairs.push_back({a, b, seamGaps_[seam][k], seamStart_[seam]});
+        }
+    }
+    addCosts(formerCosts_, plan_.costs());
+    Scene now = scene_;
+    if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
+    plan_ = planOf(now, *garment_, body_.get(), std::move(pairs));
+    const double damping = phase_ == Phase::sewing    ? dressing.sewingDamping
+                           : phase_ == Phase::shaking ? dressing.shakingDamping
+                                                      : scene_.settings.damping;
+    xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model, dynamics::XpbdSettings{.damping = damping, .speedLimit = 10});
+    substeps_ = scene_.settings.substeps > 0 ? scene_.settings.substeps
+                                             : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
+                                            length(scene_.settings.gravity));
+    if (phase_ == Phase::sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
+}
+
+std::vector<std::size_t> Simulation::closingSeams() const {
+    std::vector<std::size_t> closing;
+    for (std::size_t seam = 0; seam < seams_.size(); ++seam)
+        if (!seams_[seam].merged && seamStart_[seam] >= 0) closing.push_back(seam);
+    return closing;
+}
+
+bool Simulation::givenUp(std::size_t seam) const {
+    return seamStart_[seam] >= 0 && state_.time > seamStart_[seam] + scene_.settings.seamTime + patience;
+}
+
+Phase Simulation::duePhase() const {
+    for (std::size_t seam = 0; seam < seams_.size(); ++seam)
+        if (!seams_[seam].merged && !givenUp(seam)) return Phase::sewing;
+    if (phase_ == Phase::sewing) return Phase::shaking;
+    return state_.time > sewnTime_ + dressing.shakingTime ? Phase::draping : phase_;
+}
+
+void Simulation::startDueSeams() {
+    // The smallest order that is not done yet begins; one that cannot close does not hold up the next for ever.
+    int due = std::numeric_limits<int>::max();
+    for (std::size_t seam = 0; seam < seams_.size(); ++seam)
+        if (!seams_[seam].merged && !givenUp(seam)) due = std::min(due, seams_[seam].order);
+    for (std::size_t seam = 0; seam < seams_.size(); ++seam) {
+        if (seams_[seam].merged || seamStart_[seam] >= 0 || seams_[seam].order > due) continue;
+        seamStart_[seam] = state_.time;
+        seamGaps_[seam].clear();
+        for (const auto& [a, b] : garment_->mesh->seams[seam].pairs)
+            seamGaps_[seam].push_back(geometry::distance(state_.positions[garment_->particles.particle(a)],
+                                                         state_.positions[garment_->particles.particle(b)]));
+    }
+}
+
+bool Simulation::mayMerge(std::size_t seam) const {
+    return std::ranges::all_of(garment_->mesh->seams[seam].pairs, [&](const auto& pair) {
+        const int a = garment_->particles.particle(pair[0]), b = garment_->particles.particle(pair[1]);
+        return geometry::distance(state_.positions[a], state_.positions[b]) <= mergeRule.gap &&
+               geometry::distance(state_.velocities[a], state_.velocities[b]) <= mergeRule.relativeSpeed;
+    });
+}
+
+Result<void> Simulation::mergeReadySeams() {
+    std::vector<bool> mergedSeams = garment_->mergedSeams;
+    bool changed = false;
+    for (const std::size_t seam : closingSeams()) {
+        if (!mayMerge(seam)) continue;
+        seams_[seam].gapAtMerge = gapOf(seam).maximum;
+        mergedSeams[seam] = changed = true;
+    }
+    if (!changed) return {};
+    auto sewn = makeGarment(scene_.pattern, garment_->mesh, std::move(mergedSeams));
+    if (!sewn) return tl::unexpected(sewn.error());
+    state_ = merged(state_, *garment_, *sewn);
+    garment_ = std::make_unique<const Garment>(std::move(*sewn));
+    for (std::size_t seam = 0; seam < seams_.size(); ++seam) seams_[seam].merged = garment_->mergedSeams[seam];
+    rebuildPlan();
+    return {};
+}
+
+void Simulation::goOnDressing() {
+    const std::size_t closing = closingSeams().size();
+    startDueSeams();
+    const Phase due = duePhase();
+    if (due != phase_ && phase_ == Phase::sewing) sewnTime_ = state_.time;
+    if (due == phase_ && closingSeams().size() == closing) return;
+    phase_ = due;
+    rebuildPlan();
+}
+
+Result<void> Simulation::advance() {
+    const auto start = std::chrono::steady_clock::now();
+    const double duration = scene_.settings.frameStep;
+    const dynamics::ParticleState before = state_;
+    if (const auto stepped = xpbd_->step(state_, duration, substeps_, gravity(), plan_.stages()); !stepped) {
+        state_ = before;
+        return stepped;
+    }
+    ++steps_;
+    largestSpeed_ = 0;
+    for (std::size_t i = 0; i < state_.positions.size(); ++i)
+        largestSpeed_ = std::max(largestSpeed_, geometry::distance(before.positions[i], state_.positions[i]) / duration);
+    if (const auto sewn = mergeReadySeams(); !sewn) return sewn;
+    goOnDressing();
+    restingTime_ = largestSpeed_ < restingSpeed && phase_ == Phase::draping ? restingTime_ + duration : 0;
+    stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    allSeconds_ += stepSeconds_;
+    return {};
+}
+
+std::vector<StepPlan::StageCost> Simulation::stageCosts() const {
+    std::vector<StepPlan::StageCost> costs = formerCosts_;
+    addCosts(costs, plan_.costs());
+    for (StepPlan::StageCost& cost : costs)
+        if (const auto* stage = plan_.find(cost.name)) cost.bytes = stage->bytes();
+    double inStages = 0;
+    for (const StepPlan::StageCost& cost : costs) inStages += cost.seconds;
+    costs.push_back({"cloth", std::max(0.0, allSeconds_ - inStages), xpbd_->bytes()});
+    return costs;
+}
+
+Result<dynamics::StaticReport> Simulation::settle(const dynamics::StaticSettings& settings, std::stop_token stop,
+                                                  const Progress& progress) {
+    return dynamics::solveStatic(garment_->model, state_, scene_.settings.gravity, plan_.stages(), settings, stop, progress);
+}
+
+bool Simulation::allSeamsMerged() const {
+    return std::ranges::all_of(seams_, [](const SeamState& seam) { return seam.merged; });
+}
+
+SeamGap Simulation::gapOf(std::size_t seam) const {
+    SeamGap gap;
+    const auto& pairs = garment_->mesh->seams[seam].pairs;
+    for (const auto& [a, b] : pairs) {
+        const double d = geometry::distance(state_.positions[garment_->particles.particle(a)],
+                                            state_.positions[garment_->particles.particle(b)]);
+        gap.maximum = std::max(gap.maximum, d);
+        gap.mean += d / static_cast<double>(pairs.size());
+    }
+    return gap;
+}
+
+std::vector<Vec3> Simulation::nodePositions() const {
+    std::vector<Vec3> nodes;
+    nodes.reserve(garment_->particles.particleOf.size());
+    for (const int particle : garment_->particles.particleOf) nodes.push_back(state_.positions[particle]);
+    return nodes;
+}
+
+Frame Simulation::frame() const {
+    Frame frame;
+    frame.topology = topology_;
+    frame.positions = nodePositions();
+    frame.time = state_.time;
+    frame.framesPerSecond = stepSeconds_ > 0 ? 1 / stepSeconds_ : 0;
+    frame.particles = garment_->particles.particleCount;
+    for (const std::size_t seam : closingSeams()) frame.largestSeamGap = std::max(frame.largestSeamGap, gapOf(seam).maximum);
+    frame.largestSpeed = largestSpeed_;
+    frame.atRest = restingTime_ >= 0.5;
+    return frame;
+}
+
+} // namespace toile::simulation

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/collision/BodySurface.h"
+#include "core/dynamics/Statics.h"
+#include "core/dynamics/Xpbd.h"
+#include "core/simulation/Frame.h"
+#include "core/simulation/Garment.h"
+#include "core/simulation/MeshInputOf.h"
+#include "core/simulation/Scene.h"
+#include "core/simulation/StepPlan.h"
+
+#include <memory>
+#include <stop_token>
+
+namespace toile::simulation {
+
+/// How far a seam is.
+struct SeamState {
+    std::string name;
+    int pairs = 0;
+    int order = 0;
+    double initialGap = 0; ///< largest [m]
+    double gapAtMerge = 0; ///< largest [m]
+    bool merged = false;
+};
+
+struct SeamGap {
+    double maximum = 0, mean = 0; ///< [m]
+};
+
+/// How a garment is put on: first sewn without weight, then shaken down without friction, then left to itself
+/// (docs/decisions/0003-dressing.md).
+enum class Phase { sewing, shaking, draping };
+
+struct DressingSettings {
+    double sewingDamping = 10;  ///< mass-proportional, while seams close [1/s]
+    double shakingDamping = 3;  ///< mass-proportional, after that [1/s]
+    double shakingTime = 2.0;   ///< [s]
+    int sewingSubsteps = 20;    ///< of a frame step at most, while seams close: yielding cloth sews well
+};
+
+/// When a seam becomes one row of particles (docs/physics/seams.md).
+struct MergeRule {
+    double gap = 0.5e-3;        ///< largest of all pairs [m]
+    double relativeSpeed = 0.1; ///< largest of all pairs [m/s]
+};
+
+/// A scene while time runs. Not shared between threads; others see frames.
+class Simulation {
+public:
+    /// Meshes the pattern, places the pieces and builds the plan of a step.
+    [[nodiscard]] static Result<Simulation> create(Scene scene, const MeshOverrides& overrides = {});
+
+    /// The changed scene with the drape of the one before, carried over piece by piece by material coordinates;
+    /// pieces that are new start where they are placed. Time goes on.
+    [[nodiscard]] static Result<Simulation> continued(Scene scene, const Simulation& before);
+
+    /// One frame step of the scene. Error when a number is no longer finite: the state before is kept.
+    [[nodiscard]] Result<void> advance();
+
+    /// Goes on to the equilibrium with contact and friction by Newton's method.
+    [[nodiscard]] Result<dynamics::StaticReport> settle(const dynamics::StaticSettings& settings, std::stop_token stop = {},
+                                                        const Progress& progress = {});
+
+    [[nodiscard]] const Scene& scene() const { return scene_; }
+    [[nodiscard]] const Garment& garment() const { return *garment_; }
+    [[nodiscard]] const dynamics::ParticleState& state() const { return state_; }
+    [[nodiscard]] const StepPlan& plan() const { return plan_; }
+    /// Time of all stages since the start, also of those that are no longer there; "cloth" is the rest of a step.
+    [[nodiscard]] std::vector<StepPlan::StageCost> stageCosts() const;
+    [[nodiscard]] const Shared<FrameTopology>& topology() const { return topology_; }
+    [[nodiscard]] const collision::BodySurface* body() const { return body_.get(); }
+    [[nodiscard]] const std::vector<SeamState>& seams() const { return seams_; }
+    [[nodiscard]] Phase phase() const { return phase_; }
+    [[nodiscard]] int substeps() const { return substeps_; }
+    [[nodiscard]] int steps() const { return steps_; }
+
+    [[nodiscard]] bool allSeamsMerged() const;
+    /// Gap of an open seam's pairs now; zero when merged.
+    [[nodiscard]] SeamGap gapOf(std::size_t seam) const;
+    /// Largest displacement of a particle in the last frame step over its duration [m/s].
+    [[nodiscard]] double largestSpeed() const { return largestSpeed_; }
+    /// How long the largest speed has stayed under 5 mm/s with no seam closing [s].
+    [[nodiscard]] double restingTime() const { return restingTime_; }
+
+    /// Positions of all nodes, as the topology numbers them.
+    [[nodiscard]] std::vector<Vec3> nodePositions() const;
+    [[nodiscard]] Frame frame() const;
+
+private:
+    Simulation(Scene scene, Garment garment, std::shared_ptr<const collision::BodySurface> body);
+
+    void rebuildPlan();
+    [[nodiscard]] Phase duePhase() const;
+    [[nodiscard]] Vec3 gravity() const { return phase_ == Phase::sewing ? Vec3{} : scene_.settings.gravity; }
+    [[nodiscard]] bool givenUp(std::size_t seam) const;
+    [[nodiscard]] std::vector<std::size_t> closingSeams() const;
+    [[nodiscard]] bool mayMerge(std::size_t seam) const;
+    [[nodiscard]] Result<void> mergeReadySeams();
+    void startDueSeams();
+    void goOnDressing();
+
+    Scene scene_;
+    std::unique_ptr<const Garment> garment_; ///< the integrator keeps a reference to its model
+    std::shared_ptr<const collision::BodySurface> body_;
+    Shared<FrameTopology> topology_;
+    dynamics::ParticleState state_;
+    StepPlan plan_;
+    std::unique_ptr<dynamics::Xpbd> xpbd_;
+    std::vector<SeamState> seams_;
+    std::vector<std::vector<double>> seamGaps_; ///< of each pair when its seam began to close [m]
+    std::vector<double> seamStart_;             ///< when it began [s]; negative = not yet
+    Phase phase_ = Phase::sewing;
+    double sewnTime_ = 0; ///< when the last seam was closed or given up [s]
+    int substeps_ = 0, steps_ = 0;
+    double largestSpeed_ = 0, restingTime_ = 0;
+    double stepSeconds_ = 0, allSeconds_ = 0;        ///< wall time of the last frame step, of all
+    std::vector<StepPlan::StageCost> formerCosts_; ///< of plans that were replaced
+};
+
+} // namespace toile::simulation

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/StepPlan.h"
+
+#include <chrono>
+
+namespace toile::simulation {
+
+/// Hands every call on to a stage and adds up the time it takes.
+class StepPlan::Timed final : public dynamics::Stage {
+public:
+    explicit Timed(std::unique_ptr<dynamics::Stage> stage) : stage_(std::move(stage)) {}
+
+    [[nodiscard]] dynamics::Stage& stage() const { return *stage_; }
+    [[nodiscard]] double seconds() const { return seconds_; }
+
+    [[nodiscard]] std::string_view name() const override { return stage_->name(); }
+    [[nodiscard]] std::size_t bytes() const override { return stage_->bytes(); }
+    void beginStep(const dynamics::ParticleState& state, double duration) override {
+        timed([&] { stage_->beginStep(state, duration); });
+    }
+    void project(dynamics::Substep& substep) override {
+        timed([&] { stage_->project(substep); });
+    }
+    void beginIteration(std::span<const Vec3> positions) override {
+        timed([&] { stage_->beginIteration(positions); });
+    }
+    [[nodiscard]] double energy(std::span<const Vec3> positions) const override { return stage_->energy(positions); }
+    void addForces(std::span<const Vec3> positions, std::span<Vec3> forces) const override {
+        stage_->addForces(positions, forces);
+    }
+    void addHessian(std::span<const Vec3> positions, dynamics::HessianSink& sink) const override {
+        stage_->addHessian(positions, sink);
+    }
+
+private:
+    template <class Work>
+    void timed(Work work) {
+        const auto start = std::chrono::steady_clock::now();
+        work();
+        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+    std::unique_ptr<dynamics::Stage> stage_;
+    double seconds_ = 0;
+};
+
+StepPlan::StepPlan() = default;
+StepPlan::StepPlan(StepPlan&&) noexcept = default;
+StepPlan& StepPlan::operator=(StepPlan&&) noexcept = default;
+StepPlan::~StepPlan() = default;
+
+void StepPlan::add(std::unique_ptr<dynamics::Stage> stage) {
+    owned_.push_back(std::make_unique<Timed>(std::move(stage)));
+    order_.push_back(owned_.back().get());
+}
+
+void StepPlan::leaveOut(std::string stage, std::string why) { leftOut_.push_back({std::move(stage), std::move(why)}); }
+
+dynamics::Stage* StepPlan::find(std::string_view name) const {
+    for (const auto& timed : owned_)
+        if (timed->name() == name) return &timed->stage();
+    return nullptr;
+}
+
+std::vector<StepPlan::StageCost> StepPlan::costs() const {
+    std::vector<StageCost> costs;
+    for (const auto& timed : owned_) costs.push_back({std::string(timed->name()), timed->seconds(), timed->bytes()});
+    return costs;
+}
+
+} // namespace toile::simulation

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Worn.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <ranges>
+
+namespace toile::simulation {
+namespace {
+
+using body::Limb;
+
+struct NamedAxis {
+    std::string name;
+    std::vector<Vec3> points;
+};
+
+/// Neck and torso as one line from the head down: where a low neckline crosses it does not hang on where the one ends and
+/// the other begins. The two overlap at the base of the neck; there the torso's points are left out.
+std::vector<Vec3> trunkLine(const body::Body& body) {
+    std::vector<Vec3> neck, torso;
+    for (const body::LimbAxis& axis : body.axes) {
+        if (axis.limb == Limb::neck) neck.assign(axis.points.rbegin(), axis.points.rend());
+        if (axis.limb == Limb::torso) torso = axis.points;
+    }
+    if (!neck.empty()) {
+        const auto below = std::ranges::find_if(torso, [&](const Vec3& p) { return p.y < neck.back().y; });
+        neck.insert(neck.end(), below, torso.end());
+    }
+    return neck.empty() ? torso : neck;
+}
+
+/// The middle lines under the names of the report.
+std::vector<NamedAxis> axesOf(const body::Body& body) {
+    std::vector<NamedAxis> axes{{"trunk", trunkLine(body)}};
+    for (const body::LimbAxis& axis : body.axes) switch (axis.limb) {
+        case Limb::neck:
+        case Limb::torso: break;
+        case Limb::leftArm: axes.push_back({"left arm", axis.points}); break;
+        case Limb::rightArm: axes.push_back({"right arm", axis.points}); break;
+        case Limb::leftLeg: axes.push_back({"left leg", axis.points}); break;
+        case Limb::rightLeg: axes.push_back({"right leg", axis.points}); break;
+        }
+    return axes;
+}
+
+bool segmentCrossesTriangle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 direction = q - p;
+    const auto side = [&](const Vec3& from, const Vec3& to) { return dot(direction, cross(from - p, to - p)); };
+    const double ab = side(a, b), bc = side(b, c), ca = side(c, a);
+    const bool through = (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
+    if (!through) return false;
+    const Vec3 normal = cross(b - a, c - a);
+    const double before = dot(normal, p - a), after = dot(normal, q - a);
+    return (before < 0) != (after < 0);
+}
+
+std::vector<Vec3> pointsOf(const Opening& opening, const std::vector<Vec3>& positions) {
+    std::vector<Vec3> points;
+    for (const int particle : opening) points.push_back(positions[particle]);
+    return points;
+}
+
+Vec3 meanOf(const std::vector<Vec3>& points) {
+    Vec3 sum;
+    for (const Vec3& p : points) sum += p;
+    return points.empty() ? sum : sum / static_cast<double>(points.size());
+}
+
+double perimeterOf(const std::vector<Vec3>& loop) {
+    double sum = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) sum += geometry::distance(loop[i], loop[(i + 1) % loop.size()]);
+    return sum;
+}
+
+double shoulderHeight(const body::Landmarks& marks) { return 0.5 * (marks.acromionLeft.y + marks.acromionRight.y); }
+
+OpeningReport openingReport(const Opening& opening, const Drape& drape, const body::Body& body,
+                            const std::vector<NamedAxis>& axes) {
+    const std::vector<Vec3> loop = pointsOf(opening, drape.positions);
+    OpeningReport report;
+    report.perimeter = perimeterOf(loop);
+    report.height = meanOf(loop).y;
+    report.startHeight = meanOf(pointsOf(opening, drape.start)).y;
+    for (const NamedAxis& axis : axes)
+        if (const int times = crossings(loop, axis.points); times > 0) {
+            report.crossings += times;
+            report.limbs.push_back(axis.name != "trunk"                              ? axis.name
+                                   : report.height > shoulderHeight(body.landmarks) - 0.06 ? "neck"
+                                                                                            : "torso");
+        }
+    report.name = report.limbs.empty() ? "free edge" : report.limbs.front();
+    return report;
+}
+
+/// One limb, or both legs with or without the trunk's end between them: a skirt's hem.
+bool isSound(const OpeningReport& opening) {
+    if (opening.crossings != static_cast<int>(opening.limbs.size())) return false;
+    if (opening.limbs.size() == 1) return true;
+    const auto has = [&](const char* limb) { return std::ranges::count(opening.limbs, limb) == 1; };
+    const bool legs = has("left leg") && has("right leg");
+    return legs && (opening.limbs.size() == 2 || (opening.limbs.size() == 3 && has("torso")));
+}
+
+void judgeOpenings(WornReport& report, const std::vector<Opening>& openings, const Drape& drape) {
+    if (report.openings.empty()) report.why.push_back("The garment has no opening.");
+    for (std::size_t i = 0; i < report.openings.size(); ++i) {
+        const OpeningReport& opening = report.openings[i];
+        if (opening.limbs.empty())
+            report.why.push_back(fmt::format("No limb passes through the opening at height {:.0f} mm.", 1000 * opening.height));
+        else if (!isSound(opening))
+            report.why.push_back(fmt::format("The opening at height {:.0f} mm is crossed {} times ({}).", 1000 * opening.height,
+                                             opening.crossings, fmt::join(opening.limbs, ", ")));
+        // The arm must be the one beside which the opening was placed.
+        const double startSide = meanOf(pointsOf(openings[i], drape.start)).x;
+        if ((opening.name == "left arm" && startSide < 0) || (opening.name == "right arm" && startSide > 0))
+            report.why.push_back(fmt::format("The {} is in an opening that was placed on the other side.", opening.name));
+    }
+    for (const char* limb : {"neck", "left arm", "right arm"})
+        if (std::ranges::count(report.openings, limb, &OpeningReport::name) > 1)
+            report.why.push_back(fmt::format("The {} passes through more than one opening.", limb));
+}
+
+double rightSideShare(const Drape& drape, const collision::BodySurface& surface) {
+    constexpr double searchRadius = 0.5; // cloth farther off than this from the body is not worn anyway
+    double whole = 0, right = 0;
+    for (const auto& [a, b, c] : drape.triangles) {
+        const Vec3 &pa = drape.positions[a], &pb = drape.positions[b], &pc = drape.positions[c];
+        const Vec3 doubledArea = cross(pb - pa, pc - pa);
+        const double area = 0.5 * length(doubledArea);
+        whole += area;
+        const auto nearest = surface.nearest((pa + pb + pc) / 3, searchRadius);
+        if (nearest && dot(nearest->normal, doubledArea) > 0) right += area;
+    }
+    return whole > 0 ? right / whole : 0;
+}
+
+double turnedLength(const Drape& drape) {
+    double sum = 0;
+    for (const auto& [a, b] : turnedEdgesOf(drape.triangles)) sum += geometry::distance(drape.positions[a], drape.positions[b]);
+    return sum;
+}
+
+/// The point of a neck opening in the sagittal plane at the back.
+Vec3 backNeckPoint(const std::vector<Vec3>& loop) {
+    const double middle = meanOf(loop).z;
+    Vec3 best = loop.front();
+    double bestSide = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < loop.size(); ++i) { // where the loop passes x = 0 behind its middle
+        const Vec3 &p = loop[i], &q = loop[(i + 1) % loop.size()];
+        const double t = p.x == q.x ? 0 : std::clamp(p.x / (p.x - q.x), 0.0, 1.0);
+        const Vec3 at = lerp(p, q, t);
+        if (at.z < middle && std::abs(at.x) < bestSide) {
+            bestSide = std::abs(at.x);
+            best = at;
+        }
+    }
+    return best;
+}
+
+void judgeNeckOrWaist(WornReport& report, const std::vector<Opening>& openings, const Drape& drape, const body::Body& body,
+                      const WornSettings& settings) {
+    const auto neck = std::ranges::find(report.openings, "neck", &OpeningReport::name);
+    if (neck != report.openings.end()) {
+        const auto& opening = openings[static_cast<std::size_t>(neck - report.openings.begin())];
+        report.napeDistance = geometry::distance(backNeckPoint(pointsOf(opening, drape.positions)), body.landmarks.nape);
+        if (*report.napeDistance > settings.napeDistance)
+            report.why.push_back(fmt::format("The back-neck point lies {:.1f} mm from the nape.", 1000 * *report.napeDistance));
+        return;
+    }
+    const auto top = std::ranges::max_element(report.openings, {}, &OpeningReport::startHeight);
+    if (top == report.openings.end()) return;
+    report.waistDrop = top->startHeight - top->height;
+    if (std::abs(*report.waistDrop) > settings.waistDrop)
+        report.why.push_back(fmt::format("The uppermost opening lies {:.1f} mm from the level it was placed at.",
+                                         1000 * *report.waistDrop));
+}
+
+void judgeSymmetry(WornReport& report, const Drape& drape, const WornSettings& settings) {
+    if (drape.mirrorPairs.empty()) return;
+    double largest = 0;
+    for (const auto& [left, right] : drape.mirrorPairs) {
+        const Vec3& p = drape.positions[left];
+        largest = std::max(largest, geometry::distance({-p.x, p.y, p.z}, drape.positions[right]));
+    }
+    report.symmetryDifference = largest;
+    if (largest > settings.symmetry)
+        report.why.push_back(fmt::format("Left and right differ by {:.1f} mm.", 1000 * largest));
+}
+
+} // namespace
+
+int crossings(const std::vector<Vec3>& loop, const std::vector<Vec3>& polyline) {
+    const Vec3 centre = meanOf(loop);
+    int count = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        for (std::size_t k = 0; k + 1 < polyline.size(); ++k)
+            count += segmentCrossesTriangle(polyline[k], polyline[k + 1], centre, loop[i], loop[(i + 1) % loop.size()]);
+    return count;
+}
+
+WornReport wornReport(const Drape& drape, const body::Body& body, const collision::BodySurface& surface,
+                      const WornSettings& settings) {
+    WornReport report;
+    const std::vector<Opening> openings = openingsOf(drape.triangles);
+    const std::vector<NamedAxis> axes = axesOf(body);
+    for (const Opening& opening : openings) report.openings.push_back(openingReport(opening, drape, body, axes));
+    judgeOpenings(report, openings, drape);
+    report.turnedLength = turnedLength(drape);
+    if (report.turnedLength > 0)
+        report.why.push_back(fmt::format("Right side is sewn to wrong side along {:.0f} mm.", 1000 * report.turnedLength));
+    report.rightSideOut = rightSideShare(drape, surface);
+    if (report.rightSideOut < settings.rightSideShare)
+        report.why.push_back(fmt::format("Only {:.1f} % of the cloth has its right side out.", 100 * report.rightSideOut));
+    judgeNeckOrWaist(report, openings, drape, body, settings);
+    judgeSymmetry(report, drape, settings);
+    report.worn = report.why.empty();
+    return report;
+}
+
+} // namespace toile::simulation

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/body/Landmarks.h"
+#include "core/collision/BodySurface.h"
+#include "core/simulation/Openings.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace toile::simulation {
+
+/// One border of the sewn garment and the limbs that pass through it.
+struct OpeningReport {
+    std::string name;                ///< "neck", "left arm", "hem"…, by the limb that crosses it
+    std::vector<std::string> limbs;  ///< limbs whose middle line crosses it
+    int crossings = 0;               ///< of all middle lines together
+    double perimeter = 0;            ///< [m]
+    double height = 0;               ///< mean height over the floor [m]
+    double startHeight = 0;          ///< the same where the pieces were placed [m]
+};
+
+struct WornSettings {
+    double rightSideShare = 0.99;    ///< of the area must face away from the body [–]
+    double napeDistance = 0.015;     ///< largest distance of the back-neck point from the nape [m]
+    double symmetry = 0.005;         ///< largest difference of a mirror pair of landmarks [m]
+    double waistDrop = 0.030;        ///< how far a waistband may slide from where it was placed [m]
+};
+
+/// Whether the garment hangs on the body as it was meant to.
+struct WornReport {
+    bool worn = false;
+    std::vector<std::string> why; ///< a sentence for each condition that fails; empty when worn
+    std::vector<OpeningReport> openings;
+    double turnedLength = 0;                  ///< of seams that join right side to wrong side [m]
+    double rightSideOut = 0;                  ///< share of the area whose right side faces away from the body
+    std::optional<double> napeDistance;       ///< [m]; of garments with a neck opening
+    std::optional<double> symmetryDifference; ///< [m]; of patterns with mirror pieces
+    std::optional<double> waistDrop;          ///< [m]; of garments without a neck opening
+};
+
+/// The drape as the verdict needs it. Particle indices; `start` are the placed positions.
+struct Drape {
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<Vec3> positions, start;
+    std::vector<std::array<int, 2>> mirrorPairs; ///< particles at corners of mirror pieces and their sources
+};
+
+[[nodiscard]] WornReport wornReport(const Drape& drape, const body::Body& body, const collision::BodySurface& surface,
+                                    const WornSettings& settings = {});
+
+/// How often a polyline passes through the fan from a closed loop's centre to its edges.
+[[nodiscard]] int crossings(const std::vector<Vec3>& loop, const std::vector<Vec3>& polyline);
+
+} // namespace toile::simulation

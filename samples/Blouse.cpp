@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samples/Blouse.h"
+
+#include "core/material/FabricPresets.h"
+#include "samples/Measuring.h"
+#include "samples/Placing.h"
+#include "samples/UpperGarment.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace toile::samples {
+namespace {
+
+using namespace pattern;
+
+Region region(const Piece& piece, const std::string& name, Polygon outline, int refinement) {
+    std::string id = piece.id.value + "." + name;
+    std::ranges::replace(id, ' ', '-');
+    return {RegionId{id}, name, std::move(outline), {}, refinement, {}};
+}
+
+/// As figure 2 of Liu 2002: both shoulders with their blades and the middle below the neck at half the spacing, the
+/// small of the back at the main spacing.
+std::vector<Region> backRegions(const Piece& back, double waist) {
+    const auto at = [&](const char* vertex) { return vertexPosition(back, vertexId("back", vertex)); };
+    const Vec2 neck = at("neck-side-right"), tip = at("shoulder-tip-right"), underarm = at("underarm-right");
+    const double blades = tip.y + 0.62 * (underarm.y - tip.y), yoke = tip.y - 0.045;
+    const auto mirror = [](Polygon polygon) {
+        for (Vec2& p : polygon) p.x = -p.x;
+        std::ranges::reverse(polygon);
+        return polygon;
+    };
+    const double armhole = widthAt(back, blades) / 2 + 0.004; // the armhole is hollow: this border lies just beyond it
+    const Polygon right{{neck.x, blades}, {armhole, blades}, tip, neck};
+    return {region(back, "right shoulder", right, 1), region(back, "left shoulder", mirror(right), 1),
+            region(back, "yoke", {{-neck.x, yoke}, {neck.x, yoke}, neck, {-neck.x, neck.y}}, 1),
+            region(back, "small of the back",
+                   {{-0.11, waist - 0.06}, {0.11, waist - 0.06}, {0.11, waist + 0.10}, {-0.11, waist + 0.10}}, 0)};
+}
+
+struct Torso {
+    Piece front, back;
+};
+
+Torso draftTorso(const body::Measurements& m, const Figures& f, const Fabric& fabric, const BlouseSettings& s) {
+    const UpperBlock block = draftUpperBlock(m, f, s.block);
+    Torso torso{pieceNamed("front-left", "Front left", fabric, s.spacing), pieceNamed("back", "Back", fabric, s.spacing)};
+    torso.front.outline = halfContour("front-left", block.front);
+    torso.back.outline = contourOf("back", wholeFromHalf(block.back, "neck-centre", "-right", "-left"));
+    const NotchDistances at;
+    torso.front.notches = {armholeNotch(torso.front, "armhole", at.front, true, false)};
+    torso.back.notches = {armholeNotch(torso.back, "armhole-right", at.back, true, true),
+                          armholeNotch(torso.back, "armhole-left", at.back, false, true)};
+    torso.back.regions = backRegions(torso.back, -f.backWaist);
+    return torso;
+}
+
+SleeveSettings sleeveSettings(const body::Measurements& m, const BlouseSettings& s) {
+    return {.width = m.biceps + s.bicepsEase, .bicepsBelow = s.bicepsBelow, .bottom = m.wrist + s.wristEase, .frontEase = s.frontCapEase,
+            .backEase = s.backCapEase};
+}
+
+/// As long, down its middle, as the arm asks once the cuff is sewn on.
+SleevePiece draftArm(const body::Measurements& m, const Torso& torso, const Fabric& fabric, const BlouseSettings& s) {
+    const NotchDistances at;
+    const Armholes armholes{edgeLength(torso.front, edgeId("front-left", "armhole")),
+                            edgeLength(torso.back, edgeId("back", "armhole-right")), at.front, at.back};
+    SleeveSettings settings = sleeveSettings(m, s);
+    SleevePiece sleeve = draftSleevePiece(fabric, s.spacing, armholes, settings);
+    for (int pass = 0; pass < 3; ++pass) { // the taper moves the cap's height by less than a millimetre
+        settings.underarmLength += m.arm + s.armEase - s.cuffWidth - (sleeve.draft.capHeight - sleeve.draft.bottomY);
+        sleeve = draftSleevePiece(fabric, s.spacing, armholes, settings);
+    }
+    return sleeve;
+}
+
+Piece draftCuff(const body::Measurements& m, const Fabric& fabric, const BlouseSettings& s) {
+    Piece cuff = pieceNamed("cuff-left", "Cuff left", fabric, s.spacing);
+    const double half = (m.wrist + s.wristEase) / 2;
+    cuff.outline = contourOf("cuff-left", rectangle({-half, -s.cuffWidth}, {half, 0}));
+    cuff.grain = std::numbers::pi / 2; // warp runs round the wrist
+    return cuff;
+}
+
+/// Below the sleeve, wide enough for the hand it passes.
+Placement placedCuff(const body::Body& body, double sleeveBottom, double girth, double width) {
+    const LimbLine line = armLine(body, true);
+    const double top = sleeveBottom + 0.012;
+    return placedTube(line, top, std::max(girth / (2 * std::numbers::pi * 0.94),
+                                          limbRadius(body, line, top, top + width, 0.09) + 0.008));
+}
+
+std::vector<Seam> sewHalf(const std::string& side, const Piece& front, const HalfEdges& back, const Piece& sleeve,
+                          const Piece& cuff, const SleeveSettings& settings) {
+    std::vector<Seam> seams{seam("dart " + side, {along(front, "dart-lower")}, {against(front, "dart-upper")}),
+                            seam("cuff " + side, {along(sleeve, "bottom")}, {against(cuff, "top")}),
+                            seam("cuff seam " + side, {along(cuff, "right")}, {against(cuff, "left")})};
+    for (const auto& more : {sewSide(side, halfOf(front), back), sewSleeve(side, sleeve, halfOf(front), back, settings)})
+        seams.insert(seams.end(), more.begin(), more.end());
+    return seams;
+}
+
+} // namespace
+
+document::Document blouse(const body::Measurements& m, const body::Body& body, const BlouseSettings& s) {
+    const Fabric fabric = material::poplin();
+    const SleeveSettings sleeveDraft = sleeveSettings(m, s);
+    Torso torso = draftTorso(m, figuresOf(m, body.landmarks), fabric, s);
+    SleevePiece sleeve = draftArm(m, torso, fabric, s);
+    Piece cuff = draftCuff(m, fabric, s);
+
+    const double height = body.landmarks.neckLeft.y + 0.03; // drawn together above the shoulders, they sink on them
+    torso.front.placement = placedPanel(torso.front, body, {.behind = false, .height = height, .lean = 0.22});
+    torso.back.placement = placedPanel(torso.back, body, {.behind = true, .height = height, .lean = 0.12});
+    const double sleeveBottom = placeSleeve(sleeve, body);
+    cuff.placement = placedCuff(body, sleeveBottom, sleeveDraft.bottom, s.cuffWidth);
+    const Piece frontRight = mirrorPiece("front-right", "Front right", torso.front);
+    const Piece sleeveRight = mirrorPiece("sleeve-right", "Sleeve right", sleeve.piece);
+    const Piece cuffRight = mirrorPiece("cuff-right", "Cuff right", cuff);
+
+    document::Document document;
+    Pattern& pattern = document.pattern;
+    pattern.fabrics = {fabric};
+    pattern.pieces = {torso.front, frontRight, torso.back, sleeve.piece, sleeveRight, cuff, cuffRight};
+    pattern.seams = {seam("centre front", {along(torso.front, "centre")}, {along(frontRight, "centre")})};
+    for (const auto& half : {sewHalf("left", torso.front, negativeHalf(torso.back, "-left"), sleeve.piece, cuff, sleeveDraft),
+                             sewHalf("right", frontRight, positiveHalf(torso.back, "-right"), sleeveRight, cuffRight, sleeveDraft)})
+        pattern.seams.insert(pattern.seams.end(), half.begin(), half.end());
+    document.avatarFile = "bodies/mannequin.glb";
+    return document;
+}
+
+} // namespace toile::samples

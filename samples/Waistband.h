@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "samples/Placing.h"
+#include "samples/Sewing.h"
+
+namespace toile::samples {
+
+struct WaistbandSettings {
+    double length = 0.73;  ///< of its lower edge, closed [m]
+    double width = 0.035;  ///< [m]
+    double spacing = 0.02; ///< ε_m [m]
+};
+
+/// Substeps of a frame step with which a ring of interlined cloth carries a garment: fewer let it stretch and slip.
+inline constexpr int waistbandSubsteps = 90;
+
+/// A fabric with a fusible interlining: what keeps a waistband's length and lets it stay at the waist.
+[[nodiscard]] pattern::Fabric interlined(pattern::Fabric fabric);
+
+/// A straight band, x = 0 at the centre front, its wearer's left on +x, closed behind; it starts as a ring round the
+/// waist with its lower edge at y = 0 of the piece, `lowered` beneath the waist. Edges: bottom-right (x < 0),
+/// bottom-left, end-left, top, end-right.
+[[nodiscard]] pattern::Piece draftWaistband(const pattern::Fabric& fabric, const body::Body& body,
+                                            const WaistbandSettings& settings, double lowered);
+
+/// The seam that closes the band.
+[[nodiscard]] pattern::Seam waistbandSeam(const pattern::Piece& band);
+
+/// Centre and least radius of a level ring round the trunk between two heights [m].
+struct Ring {
+    Vec3 centre;
+    double radius = 0;
+};
+[[nodiscard]] Ring ringRound(const body::Body& body, double low, double high, double clearance);
+
+} // namespace toile::samples

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// toile-make-samples FOLDER: drafts all samples and writes FOLDER/*.toile and FOLDER/bodies/*.glb.
+#include "core/io/BodyImport.h"
+#include "core/io/ToileFile.h"
+#include "samples/Samples.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fmt/format.h>
+
+using namespace toile;
+
+namespace {
+
+int failed(const Error& error) {
+    fmt::print(stderr, "{}\n", toString(error));
+    return 1;
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    if (count != 2) {
+        fmt::print(stderr, "usage: toile-make-samples FOLDER\n");
+        return 2;
+    }
+    const std::filesystem::path folder = arguments[1];
+    const auto mannequin = body::makeMannequin({});
+    if (!mannequin) return failed(mannequin.error());
+
+    std::error_code created;
+    std::filesystem::create_directories(folder / "bodies", created);
+    for (const samples::NamedDocument& sample : samples::sampleDocuments(*mannequin))
+        if (const auto written = io::writeToile(sample.document, (folder / (sample.name + ".toile")).string()); !written)
+            return failed(written.error());
+    for (const samples::NamedBody& sample : samples::sampleBodies(*mannequin))
+        if (const auto written = io::writeBody(folder / "bodies" / (sample.name + ".glb"), sample.body); !written)
+            return failed(written.error());
+    return 0;
+}

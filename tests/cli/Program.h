@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Json.h"
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QString>
+#include <QStringList>
+#include <QtTest>
+
+namespace toile {
+
+/// What a run of toile-cli left behind.
+struct Finished {
+    int status = -1; ///< −1: it did not end by itself
+    QString out, err;
+
+    [[nodiscard]] QStringList errorLines() const { return err.split('\n', Qt::SkipEmptyParts); }
+};
+
+inline QString program() { return qEnvironmentVariable("TOILE_BINARY_DIR") + "/bin/toile-cli"; }
+inline QString sample(const QString& name) { return qEnvironmentVariable("TOILE_SOURCE_DIR") + "/samples/" + name; }
+
+inline Finished run(const QStringList& arguments) {
+    QProcess process;
+    process.start(program(), arguments);
+    constexpr int patience = 120000; // [ms]
+    if (!process.waitForFinished(patience)) return {-1, {}, process.errorString()};
+    const bool ended = process.exitStatus() == QProcess::NormalExit;
+    return {ended ? process.exitCode() : -1, QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+}
+
+inline QByteArray contentOf(const QString& file) {
+    QFile opened(file);
+    return opened.open(QIODevice::ReadOnly) ? opened.readAll() : QByteArray();
+}
+
+/// Null when it is no JSON.
+inline Json jsonOf(const QByteArray& text) {
+    auto json = parseJson(std::string_view(text.constData(), static_cast<std::size_t>(text.size())));
+    return json ? std::move(*json) : Json();
+}
+
+/// The keys of `names` that an object lacks, for messages; empty when it has all.
+inline QString missingKeys(const Json& object, const QStringList& names) {
+    QStringList missing;
+    for (const QString& name : names)
+        if (!object.find(name.toStdString())) missing << name;
+    return missing.join(", ");
+}
+
+} // namespace toile

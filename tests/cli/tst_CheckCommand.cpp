@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+
+using namespace toile;
+
+/// toile-cli check: one line a problem, and an exit status that scripts can rely on.
+class tst_CheckCommand : public QObject {
+    Q_OBJECT
+private slots:
+    void ourSamplesAreSound();
+    void thereAreTwentyBrokenDocuments();
+    void aBrokenDocumentGivesOneLineThatNamesIt_data();
+    void aBrokenDocumentGivesOneLineThatNamesIt();
+    void aMissingFileIsSaid();
+    void oneBrokenFileAmongSoundOnesIsEnough();
+    void withoutAFileTheUsageIsWrong();
+
+private:
+    static QStringList brokenDocuments() { return QDir(sample("broken")).entryList({"*.toile"}, QDir::Files); }
+};
+
+void tst_CheckCommand::ourSamplesAreSound() {
+    QStringList files;
+    for (const QString& file : QDir(sample("")).entryList({"*.toile"}, QDir::Files)) files << sample(file);
+    QVERIFY(files.size() >= 9);
+    const Finished finished = run(QStringList{"check"} + files);
+    QVERIFY2(finished.status == 0, qPrintable(finished.err));
+    QVERIFY2(finished.err.isEmpty(), qPrintable(finished.err));
+    QVERIFY(finished.out.isEmpty());
+}
+
+void tst_CheckCommand::thereAreTwentyBrokenDocuments() { QVERIFY(brokenDocuments().size() >= 20); }
+
+void tst_CheckCommand::aBrokenDocumentGivesOneLineThatNamesIt_data() {
+    QTest::addColumn<QString>("file");
+    for (const QString& file : brokenDocuments()) QTest::newRow(qPrintable(file)) << file;
+}
+
+void tst_CheckCommand::aBrokenDocumentGivesOneLineThatNamesIt() {
+    QFETCH(QString, file);
+    static const QStringList onlyWarned{"nearly-equal-seam.toile", "wrong-way-round.toile"};
+    const Finished finished = run({"check", sample("broken/" + file)});
+    QCOMPARE(finished.status, onlyWarned.contains(file) ? 0 : 1);
+    QVERIFY2(finished.errorLines().size() == 1, qPrintable(finished.err));
+    QVERIFY2(finished.err.startsWith(sample("broken/" + file) + ":"), qPrintable(finished.err));
+    QCOMPARE(finished.err.contains(": warning: "), onlyWarned.contains(file));
+    QVERIFY(finished.err.trimmed().endsWith('.') || finished.err.trimmed().endsWith('?')); // a sentence
+}
+
+void tst_CheckCommand::aMissingFileIsSaid() {
+    const Finished finished = run({"check", "/no/such/file.toile"});
+    QCOMPARE(finished.status, 1);
+    QCOMPARE(finished.errorLines().size(), 1);
+    QVERIFY(finished.err.startsWith("/no/such/file.toile: "));
+}
+
+void tst_CheckCommand::oneBrokenFileAmongSoundOnesIsEnough() {
+    const Finished finished = run({"check", sample("two-squares.toile"), sample("broken/truncated.toile"), sample("tube.toile")});
+    QCOMPARE(finished.status, 1);
+    QCOMPARE(finished.errorLines().size(), 1);
+}
+
+void tst_CheckCommand::withoutAFileTheUsageIsWrong() { QCOMPARE(run({"check"}).status, 2); }
+
+QTEST_GUILESS_MAIN(tst_CheckCommand)
+#include "tst_CheckCommand.moc"

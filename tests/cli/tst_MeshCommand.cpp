@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Png.h"
+#include "Program.h"
+
+#include <QTemporaryDir>
+
+using namespace toile;
+
+namespace {
+
+const QStringList pieceKeys{"nodes", "slaves", "quads", "triangles", "rectangles", "rectangleFraction",
+                            "minimumAngleDegrees", "maximumAngleDegrees", "inputMinimumAngleDegrees", "maximumAspect",
+                            "areaRelativeError", "boundaryDeviation", "invertedCells", "missingBoundaryNodes",
+                            "nonManifoldEdges", "seconds", "bytes", "regions"};
+
+double number(const Json& object, const char* key) { return *object.find(key)->asNumber(); }
+
+} // namespace
+
+class tst_MeshCommand : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { QVERIFY(folder_.isValid()); }
+    void theReportHasTheKeysThatArePromised();
+    void theSumOfThePiecesIsTheTotal();
+    void theSpacingsOfTheSidesAreCompared();
+    void aTableIsPrintedForPeople();
+    void onePieceAlone();
+    void anUnknownPieceIsNamed();
+    void halfTheSpacingGivesAboutFourTimesTheCells();
+    void everyFormatIsWritten_data();
+    void everyFormatIsWritten();
+    void anotherFormatIsRefused();
+    void aMissingFolderIsSaidAndNothingIsWritten();
+    void wrongUsage_data();
+    void wrongUsage();
+
+private:
+    [[nodiscard]] QString in(const char* name) const { return folder_.filePath(name); }
+    [[nodiscard]] Json report(const QStringList& arguments) const {
+        if (run(QStringList{"mesh"} + arguments + QStringList{"--report", in("mesh.json")}).status != 0) return {};
+        return jsonOf(contentOf(in("mesh.json")));
+    }
+    QTemporaryDir folder_;
+};
+
+void tst_MeshCommand::theReportHasTheKeysThatArePromised() {
+    const Json json = report({sample("blouse.toile"), "--repeat", "3"});
+    QCOMPARE(missingKeys(json, {"pieces", "total", "seams", "warnings"}), QString());
+    QCOMPARE(json.find("pieces")->asArray()->size(), std::size_t(7));
+    for (const Json& piece : *json.find("pieces")->asArray()) {
+        QCOMPARE(missingKeys(piece, pieceKeys + QStringList{"name"}), QString());
+        for (const Json& region : *piece.find("regions")->asArray())
+            QCOMPARE(missingKeys(region, {"name", "spacing", "ratio", "cells", "displacement", "areaChange"}), QString());
+    }
+    QCOMPARE(missingKeys(*json.find("total"), pieceKeys), QString());
+    QCOMPARE(json.find("seams")->asArray()->size(), std::size_t(17));
+    for (const Json& seam : *json.find("seams")->asArray())
+        QCOMPARE(missingKeys(seam, {"name", "countA", "countB", "lengthA", "lengthB", "ease", "largestSpacingMismatch"}), QString());
+    for (const Json& warning : *json.find("warnings")->asArray()) QCOMPARE(missingKeys(warning, {"place", "text"}), QString());
+}
+
+void tst_MeshCommand::theSumOfThePiecesIsTheTotal() {
+    const Json json = report({sample("two-squares.toile")});
+    for (const char* key : {"nodes", "quads", "triangles", "bytes"}) {
+        double sum = 0;
+        for (const Json& piece : *json.find("pieces")->asArray()) sum += number(piece, key);
+        QCOMPARE(number(*json.find("total"), key), sum);
+    }
+    QCOMPARE(number(*json.find("total"), "quads"), 2 * 15.0 * 15.0); // squares of 0.3 m at 20 mm
+    QCOMPARE(number(*json.find("total"), "invertedCells"), 0.0);
+}
+
+void tst_MeshCommand::theSpacingsOfTheSidesAreCompared() {
+    const Json squares = report({sample("two-squares.toile")}); // straight, equally long edges
+    QVERIFY(number(squares.find("seams")->asArray()->front(), "largestSpacingMismatch") < 1e-9);
+    const Json blouse = report({sample("blouse.toile")});
+    for (const Json& seam : *blouse.find("seams")->asArray()) {
+        const double mismatch = number(seam, "largestSpacingMismatch");
+        if (number(seam, "ease") == 0) QVERIFY(mismatch < 0.02); // chords of curves that bend differently
+        else QVERIFY(mismatch > 0.01 && mismatch < 0.1);         // millimetres over some 13 cm of cap
+    }
+}
+
+void tst_MeshCommand::aTableIsPrintedForPeople() {
+    const Finished finished = run({"mesh", sample("two-squares.toile")});
+    QCOMPARE(finished.status, 0);
+    QVERIFY(finished.out.contains("Left square") && finished.out.contains("Right square"));
+    QVERIFY(finished.err.isEmpty());
+}
+
+void tst_MeshCommand::onePieceAlone() {
+    const Json json = report({sample("blouse.toile"), "--piece", "Cuff left"});
+    QCOMPARE(json.find("pieces")->asArray()->size(), std::size_t(1));
+}
+
+void tst_MeshCommand::anUnknownPieceIsNamed() {
+    const Finished finished = run({"mesh", sample("blouse.toile"), "--piece", "Hood"});
+    QCOMPARE(finished.status, 1);
+    QVERIFY(finished.err.contains("There is no piece \"Hood\"."));
+}
+
+void tst_MeshCommand::halfTheSpacingGivesAboutFourTimesTheCells() {
+    const double coarse = number(*report({sample("two-squares.toile"), "--spacing", "30"}).find("total"), "quads");
+    const double fine = number(*report({sample("two-squares.toile"), "--spacing", "15"}).find("total"), "quads");
+    QCOMPARE(fine, 4 * coarse); // both divide the square
+}
+
+void tst_MeshCommand::everyFormatIsWritten_data() {
+    QTest::addColumn<QString>("file");
+    for (const char* file : {"mesh.obj", "mesh.svg", "mesh.png"}) QTest::newRow(file) << file;
+}
+
+void tst_MeshCommand::everyFormatIsWritten() {
+    QFETCH(QString, file);
+    const QString path = folder_.filePath(file);
+    const Finished finished = run({"mesh", sample("two-squares.toile"), "--out", path});
+    QVERIFY2(finished.status == 0, qPrintable(finished.err));
+    const QByteArray content = contentOf(path);
+    if (file.endsWith(".obj")) {
+        QCOMPARE(content.count("\nv "), 2 * 16 * 16);
+        QCOMPARE(content.count("\nf "), 2 * 15 * 15);
+    } else if (file.endsWith(".svg")) {
+        QVERIFY(content.contains("<svg") && content.trimmed().endsWith("</svg>"));
+    } else {
+        QVERIFY(coloursIn(path) > 2); // paper, lines and fill at least
+    }
+}
+
+void tst_MeshCommand::anotherFormatIsRefused() {
+    const Finished finished = run({"mesh", sample("two-squares.toile"), "--out", in("mesh.step")});
+    QCOMPARE(finished.status, 1);
+    QVERIFY(finished.err.contains(".obj, .svg, .png"));
+    QVERIFY(!QFile::exists(in("mesh.step")));
+}
+
+void tst_MeshCommand::aMissingFolderIsSaidAndNothingIsWritten() {
+    const QString out = in("only.obj"), lost = folder_.filePath("none/mesh.json");
+    const Finished finished = run({"mesh", sample("two-squares.toile"), "--out", out, "--report", lost});
+    QCOMPARE(finished.status, 1);
+    QCOMPARE(finished.errorLines().size(), 1);
+    QVERIFY(finished.err.contains("There is no folder"));
+    QVERIFY(!QFile::exists(out) && !QFile::exists(lost)); // not half of the results
+}
+
+void tst_MeshCommand::wrongUsage_data() {
+    QTest::addColumn<QStringList>("options");
+    QTest::newRow("an unknown option") << QStringList{"--fast"};
+    QTest::newRow("a spacing below zero") << QStringList{"--spacing", "-20"};
+    QTest::newRow("a spacing that is no number") << QStringList{"--spacing", "wide"};
+    QTest::newRow("an unknown rule") << QStringList{"--rule", "random"};
+    QTest::newRow("no run at all") << QStringList{"--repeat", "0"};
+}
+
+void tst_MeshCommand::wrongUsage() {
+    QFETCH(QStringList, options);
+    const Finished finished = run(QStringList{"mesh", sample("two-squares.toile")} + options);
+    QCOMPARE(finished.status, 2);
+    QVERIFY(!finished.err.isEmpty());
+}
+
+QTEST_GUILESS_MAIN(tst_MeshCommand)
+#include "tst_MeshCommand.moc"

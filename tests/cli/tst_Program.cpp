@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+
+#include <QTemporaryDir>
+
+using namespace toile;
+
+/// toile-cli as a whole, and its smaller commands.
+class tst_Program : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { QVERIFY(folder_.isValid()); }
+    void linksNoQt();
+    void saysWhatItIs();
+    void explainsItself();
+    void wrongUsage_data();
+    void wrongUsage();
+    void anAvatarIsWrittenAndReadBack();
+    void anImpossibleBodyIsRefused();
+    void anAvatarIntoAMissingFolderIsRefused();
+    void inspectPrintsJson();
+    void inspectPrintsText();
+    void inspectRefusesWhatItCannotRead();
+    void aConvertedDocumentIsTheSame();
+    void convertWritesOnlyDocuments();
+
+private:
+    [[nodiscard]] QString in(const char* name) const { return folder_.filePath(name); }
+    QTemporaryDir folder_;
+};
+
+void tst_Program::linksNoQt() {
+    QProcess ldd;
+    ldd.start("ldd", {program()});
+    QVERIFY(ldd.waitForFinished());
+    const QString libraries = ldd.readAllStandardOutput();
+    QVERIFY(libraries.contains("libc.so")); // it did list them
+    QVERIFY2(!libraries.contains("Qt"), qPrintable(libraries));
+}
+
+void tst_Program::saysWhatItIs() {
+    const Finished finished = run({"--version"});
+    QCOMPARE(finished.status, 0);
+    QVERIFY(finished.out.startsWith("toile-cli "));
+    QVERIFY(finished.out.contains("0.1.0"));
+}
+
+void tst_Program::explainsItself() {
+    const Finished finished = run({"--help"});
+    QCOMPARE(finished.status, 0);
+    for (const char* command : {"check", "mesh", "sew", "avatar", "inspect", "convert"}) QVERIFY(finished.out.contains(command));
+}
+
+void tst_Program::wrongUsage_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::newRow("nothing") << QStringList{};
+    QTest::newRow("an unknown command") << QStringList{"knit"};
+    QTest::newRow("an unknown option") << QStringList{"--loud"};
+    QTest::newRow("an avatar without a file") << QStringList{"avatar"};
+    QTest::newRow("a girth that is no number") << QStringList{"avatar", "--bust", "large", "--out", "x.glb"};
+    QTest::newRow("inspect without a file") << QStringList{"inspect"};
+    QTest::newRow("convert without a target") << QStringList{"convert", sample("tube.toile")};
+}
+
+void tst_Program::wrongUsage() {
+    QFETCH(QStringList, arguments);
+    const Finished finished = run(arguments);
+    QCOMPARE(finished.status, 2);
+    QVERIFY(!finished.err.isEmpty());
+}
+
+void tst_Program::anAvatarIsWrittenAndReadBack() {
+    const Finished made = run({"avatar", "--height", "1720", "--bust", "940", "--out", in("body.glb")});
+    QVERIFY2(made.status == 0, qPrintable(made.err));
+    QVERIFY(made.out.contains("bust") && made.out.contains("940.0"));
+    QVERIFY(contentOf(in("body.glb")).startsWith("glTF"));
+    const Json body = jsonOf(run({"inspect", in("body.glb"), "--json"}).out.toUtf8());
+    QCOMPARE(missingKeys(body, {"name", "vertices", "triangles", "closed", "height", "limbs"}), QString());
+    QCOMPARE(*body.find("closed")->asBool(), true);
+    QCOMPARE(*body.find("limbs")->asNumber(), 6.0);
+    QVERIFY(std::abs(*body.find("height")->asNumber() - 1.72) < 0.005);
+}
+
+void tst_Program::anImpossibleBodyIsRefused() {
+    const Finished finished = run({"avatar", "--waist", "3000", "--out", in("giant.glb")});
+    QCOMPARE(finished.status, 1);
+    QCOMPARE(finished.errorLines().size(), 1);
+    QVERIFY2(finished.err.contains("waist", Qt::CaseInsensitive), qPrintable(finished.err));
+    QVERIFY(!QFile::exists(in("giant.glb")));
+}
+
+void tst_Program::anAvatarIntoAMissingFolderIsRefused() {
+    const Finished finished = run({"avatar", "--out", in("none/body.glb")});
+    QCOMPARE(finished.status, 1);
+    QVERIFY(finished.err.contains("There is no folder"));
+}
+
+void tst_Program::inspectPrintsJson() {
+    const Finished finished = run({"inspect", sample("blouse.toile"), "--json"});
+    QCOMPARE(finished.status, 0);
+    const Json json = jsonOf(finished.out.toUtf8());
+    QCOMPARE(missingKeys(json, {"avatar", "pieces", "seams", "fabrics"}), QString());
+    QCOMPARE(json.find("pieces")->asArray()->size(), std::size_t(7));
+    QCOMPARE(json.find("seams")->asArray()->size(), std::size_t(17));
+    for (const Json& seam : *json.find("seams")->asArray()) // drafted exactly: what is left over is declared
+        QVERIFY(std::abs(*seam.find("difference")->asNumber() - *seam.find("declaredEase")->asNumber()) < 1e-6);
+}
+
+void tst_Program::inspectPrintsText() {
+    const Finished finished = run({"inspect", sample("blouse.toile")});
+    QCOMPARE(finished.status, 0);
+    QVERIFY(finished.out.contains("pieces: 7") && finished.out.contains("Sleeve left"));
+}
+
+void tst_Program::inspectRefusesWhatItCannotRead() {
+    QCOMPARE(run({"inspect", sample("broken/truncated.toile")}).status, 1);
+    QCOMPARE(run({"inspect", "/no/such/body.glb"}).status, 1);
+}
+
+void tst_Program::aConvertedDocumentIsTheSame() {
+    QCOMPARE(run({"convert", sample("two-squares.toile"), in("copy.toile")}).status, 0);
+    QCOMPARE(contentOf(in("copy.toile")), contentOf(sample("two-squares.toile")));
+}
+
+void tst_Program::convertWritesOnlyDocuments() {
+    const Finished finished = run({"convert", sample("two-squares.toile"), in("copy.dxf")});
+    QCOMPARE(finished.status, 1);
+    QVERIFY(!QFile::exists(in("copy.dxf")));
+}
+
+QTEST_GUILESS_MAIN(tst_Program)
+#include "tst_Program.moc"

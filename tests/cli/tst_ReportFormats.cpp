@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <set>
+
+using namespace toile;
+
+namespace {
+
+using Keys = std::set<QString>;
+
+/// The keys in the first columns of the tables of a page.
+Keys documentedKeys(const QString& page) {
+    const QString text = QString::fromUtf8(contentOf(qEnvironmentVariable("TOILE_SOURCE_DIR") + "/docs/formats/" + page));
+    static const QRegularExpression firstColumn("^\\| `([^`]+)` \\|", QRegularExpression::MultilineOption);
+    Keys keys;
+    for (auto found = firstColumn.globalMatch(text); found.hasNext();) keys.insert(found.next().captured(1));
+    return keys;
+}
+
+/// Every value of a report under the name the pages give it; objects and lists of objects are gone into.
+void collect(const Json& value, const QString& name, Keys& keys) {
+    if (const Json::Object* members = value.asObject()) {
+        for (const auto& [key, member] : *members)
+            collect(member, name.isEmpty() ? QString::fromStdString(key) : name + "." + QString::fromStdString(key), keys);
+    } else if (const Json::Array* items = value.asArray(); items && !items->empty() && items->front().asObject()) {
+        for (const Json& item : *items) collect(item, name + "[]", keys);
+    } else {
+        keys.insert(name);
+    }
+}
+
+QString difference(const Keys& a, const Keys& b) {
+    QStringList only;
+    for (const QString& key : a)
+        if (!b.contains(key)) only << key;
+    return only.join(", ");
+}
+
+/// Keys of pieces and of the total stand once on the page, without their owner.
+Keys withoutOwner(const Keys& keys) {
+    Keys bare;
+    for (QString key : keys) {
+        if (key.startsWith("pieces[].")) key.remove(0, 9);
+        if (key.startsWith("total.")) key.remove(0, 6);
+        if (key != "regions") bare.insert(key); // a piece without regions
+    }
+    return bare;
+}
+
+} // namespace
+
+/// What the programs write is what the pages say, both ways.
+class tst_ReportFormats : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { QVERIFY(folder_.isValid()); }
+    void sewJsonIsAsItsPageSays();
+    void meshJsonIsAsItsPageSays();
+
+private:
+    [[nodiscard]] Keys keysOf(const QStringList& command) const {
+        const QString file = folder_.filePath("report.json");
+        run(command + QStringList{"--report", file});
+        Keys keys;
+        collect(jsonOf(contentOf(file)), "", keys);
+        return keys;
+    }
+    QTemporaryDir folder_;
+};
+
+void tst_ReportFormats::sewJsonIsAsItsPageSays() {
+    const Keys documented = documentedKeys("sew.md");
+    QVERIFY(documented.size() > 50);
+    // Coarse and short: the garment need not be finished, but has openings, stages, things left out and warnings.
+    const Keys written = keysOf({"sew", sample("blouse.toile"), "--spacing", "40", "--seconds", "0.5", "--quiet"});
+    QCOMPARE(difference(documented, written), QString());
+    QCOMPARE(difference(written, documented), QString());
+}
+
+void tst_ReportFormats::meshJsonIsAsItsPageSays() {
+    Keys documented = documentedKeys("mesh.md");
+    QVERIFY(documented.size() > 30);
+    for (const char* owner : {"pieces[]", "total"}) QCOMPARE(documented.erase(owner), std::size_t(1));
+    const Keys written = withoutOwner(keysOf({"mesh", sample("blouse.toile")}));
+    QCOMPARE(difference(documented, written), QString());
+    QCOMPARE(difference(written, documented), QString());
+}
+
+QTEST_GUILESS_MAIN(tst_ReportFormats)
+#include "tst_ReportFormats.moc"

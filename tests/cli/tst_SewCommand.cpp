@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Png.h" // before ours: moc 6.4 stumbles over <compare> as the first header
+
+#include "Program.h"
+#include "core/io/BodyImport.h"
+#include "core/io/ToileFile.h"
+#include "samples/SmallScenes.h"
+
+#include <QTemporaryDir>
+#include <csignal>
+
+using namespace toile;
+
+namespace {
+
+/// An upright box with its foot on the floor and its middle on the y axis.
+body::Body box(double width, double depth) {
+    body::Body body{"box", {}, {}, {}};
+    for (const double x : {-width / 2, width / 2})
+        for (const double y : {0.0, 2.0})
+            for (const double z : {-depth / 2, depth / 2}) body.mesh.vertices.push_back({x, y, z});
+    body.mesh.triangles = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
+                           {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+    return body;
+}
+
+} // namespace
+
+class tst_SewCommand : public QObject {
+    Q_OBJECT
+private slots:
+    void init();
+    void twoSquaresAreSewn();
+    void theReportHasTheKeysThatArePromised();
+    void whatIsNotThereIsNull();
+    void everyDrapeFormatIsWritten();
+    void aPictureIsNotBlank();
+    void equalRunsGiveEqualBits();
+    void quietSaysNothing();
+    void aSeamHeldOpenIsAGoalMissed();
+    void aLimitThatIsTooShortIsAGoalMissed();
+    void aStartInTheBodyIsWarnedOfRefusedOrArranged();
+    void methodsToComeAreRefusedWithASentence();
+    void moreThreadsAreAnsweredHonestly();
+    void aMissingFolderIsSaidAndNothingIsWritten();
+    void aBrokenDocumentIsRefused();
+    void anInterruptLeavesNothingBehind();
+    void wrongUsage_data();
+    void wrongUsage();
+
+private:
+    [[nodiscard]] QString in(const char* name) const { return folder_->filePath(name); }
+    [[nodiscard]] Json report() const { return jsonOf(contentOf(in("sew.json"))); }
+    /// A document of two squares that are 0.2 m apart, with a body between them.
+    [[nodiscard]] QString squaresWith(const body::Body& body) const {
+        document::Document document = samples::twoSquares();
+        document.avatarFile = "body.glb";
+        document.scene.damping = 2; // so that it comes to rest against the body
+        const bool written = io::writeBody(in("body.glb").toStdString(), body).has_value() &&
+                             io::writeToile(document, in("squares.toile").toStdString()).has_value();
+        return written ? in("squares.toile") : QString();
+    }
+    std::unique_ptr<QTemporaryDir> folder_;
+};
+
+void tst_SewCommand::init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    QVERIFY(folder_->isValid());
+}
+
+void tst_SewCommand::twoSquaresAreSewn() {
+    const Finished finished = run({"sew", sample("two-squares.toile"), "--out", in("drape.glb"), "--report", in("sew.json")});
+    QVERIFY2(finished.status == 0, qPrintable(finished.err));
+    QVERIFY(finished.out.contains("1 of 1 seams closed"));
+    QVERIFY(contentOf(in("drape.glb")).startsWith("glTF"));
+    const Json json = report();
+    const Json& seam = json.find("seams")->asArray()->front();
+    QCOMPARE(*seam.find("closed")->asBool(), true);
+    QCOMPARE(*seam.find("maximumGap")->asNumber(), 0.0);
+    QVERIFY(*seam.find("gapAtMergeMaximum")->asNumber() <= 0.5e-3);
+    QCOMPARE(QDir(folder_->path()).entryList(QDir::Files).size(), 2);
+}
+
+void tst_SewCommand::theReportHasTheKeysThatArePromised() {
+    QVERIFY(run({"sew", sample("tube.toile"), "--spacing", "40", "--seconds", "1", "--report", in("sew.json")}).status >= 0);
+    const Json json = report();
+    QCOMPARE(missingKeys(json, {"document", "avatar", "method", "step", "threads", "particles", "springs", "seams", "worn",
+                                "contact", "clampedCells", "finishDisplacementMaximum", "strain", "simulatedSeconds",
+                                "cpuSeconds", "wallSeconds", "steps", "atRest", "residual", "energy", "peakBytes",
+                                "resultHash", "stages", "leftOut", "warnings"}),
+             QString());
+    QCOMPARE(missingKeys(*json.find("springs"), {"structural", "shear", "bending", "twist"}), QString());
+    for (const Json& seam : *json.find("seams")->asArray())
+        QCOMPARE(missingKeys(seam, {"name", "pairs", "initialGap", "gapAtMergeMaximum", "maximumGap", "meanGap", "merged", "closed"}),
+                 QString());
+    QCOMPARE(missingKeys(*json.find("worn"), {"verdict", "openings", "rightSideOut", "landmarks"}), QString());
+    QCOMPARE(missingKeys(*json.find("contact"), {"bodyPenetrationMaximum", "bodyClearanceMinimum", "selfIntersections",
+                                                 "bodyIntersections", "guarantee"}),
+             QString());
+    QCOMPARE(missingKeys(*json.find("strain"), {"warpMaximum", "weftMaximum", "shearMaximum", "rms"}), QString());
+    QCOMPARE(missingKeys(*json.find("energy"), {"kinetic", "gravity", "elastic"}), QString());
+    for (const Json& stage : *json.find("stages")->asArray())
+        QCOMPARE(missingKeys(stage, {"name", "seconds", "share"}), QString());
+    for (const Json& left : *json.find("leftOut")->asArray()) QCOMPARE(missingKeys(left, {"stage", "why"}), QString());
+    QVERIFY(*json.find("peakBytes")->asNumber() > 1e6); // a program holds more than a megabyte
+    QCOMPARE(json.find("resultHash")->asString()->size(), std::size_t(64));
+    QCOMPARE(*json.find("method")->asString(), std::string("xpbd"));
+}
+
+void tst_SewCommand::whatIsNotThereIsNull() {
+    QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "3", "--report", in("sew.json")}).status, 0);
+    const Json json = report();
+    QVERIFY(json.find("avatar")->isNull());
+    QVERIFY(json.find("worn")->find("verdict")->isNull());
+    QVERIFY(!json.find("worn")->find("why")->asArray()->empty()); // null with a reason
+    QVERIFY(json.find("contact")->find("bodyClearanceMinimum")->isNull());
+    QVERIFY(json.find("residual")->isNull()); // a run of so many seconds has no finish
+    QVERIFY(json.find("finishDisplacementMaximum")->isNull());
+    QVERIFY(!contentOf(in("sew.json")).contains("nan"));
+}
+
+void tst_SewCommand::everyDrapeFormatIsWritten() {
+    for (const char* file : {"drape.glb", "drape.obj", "drape.ply", "drape.stl"}) {
+        QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--out", in(file)}).status, 3); // not sewn yet
+        QVERIFY2(contentOf(in(file)).size() > 1000, file);
+    }
+}
+
+void tst_SewCommand::aPictureIsNotBlank() {
+    const Finished finished = run({"sew", "--picture", in("front.png") + "," + in("back.png"), sample("two-squares.toile"), "--seconds", "3"});
+    QVERIFY2(finished.status == 0, qPrintable(finished.err));
+    QVERIFY(coloursIn(in("front.png")) > 100); // shaded cloth before a ground that is no plain colour
+    QVERIFY(coloursIn(in("back.png")) > 100);
+}
+
+void tst_SewCommand::equalRunsGiveEqualBits() {
+    QStringList hashes;
+    for (const QStringList& more : {QStringList{}, QStringList{}, QStringList{"--threads", "4", "--deterministic"}}) {
+        QVERIFY(run(QStringList{"sew", sample("two-squares.toile"), "--report", in("sew.json")} + more).status == 0);
+        hashes << QString::fromStdString(*report().find("resultHash")->asString());
+    }
+    QCOMPARE(hashes[1], hashes[0]);
+    QCOMPARE(hashes[2], hashes[0]);
+}
+
+void tst_SewCommand::quietSaysNothing() {
+    const Finished finished = run({"sew", sample("two-squares.toile"), "--quiet"});
+    QCOMPARE(finished.status, 0);
+    QVERIFY2(finished.err.isEmpty(), qPrintable(finished.err));
+}
+
+void tst_SewCommand::aSeamHeldOpenIsAGoalMissed() {
+    const QString document = squaresWith(box(0.05, 2.0));
+    const Finished finished = run({"sew", document, "--limit", "6", "--out", in("drape.glb"), "--report", in("sew.json"), "--quiet"});
+    QCOMPARE(finished.status, 3);
+    QVERIFY(finished.out.contains("0 of 1 seams closed"));
+    QVERIFY(finished.err.contains("seam \"middle\": The seam is not closed; its gap is 5"));
+    const Json json = report();
+    const Json& seam = json.find("seams")->asArray()->front();
+    QCOMPARE(*seam.find("closed")->asBool(), false);
+    QVERIFY(*seam.find("maximumGap")->asNumber() >= 0.050);
+    QVERIFY(!contentOf(in("drape.glb")).isEmpty()); // what there is can still be looked at
+}
+
+void tst_SewCommand::aLimitThatIsTooShortIsAGoalMissed() {
+    const Finished finished = run({"sew", sample("two-squares.toile"), "--limit", "1.5", "--report", in("sew.json")});
+    QCOMPARE(finished.status, 3);
+    QCOMPARE(*report().find("ending")->asString(), std::string("limit reached"));
+    QCOMPARE(*report().find("atRest")->asBool(), false);
+}
+
+void tst_SewCommand::aStartInTheBodyIsWarnedOfRefusedOrArranged() {
+    const QString document = squaresWith(box(1.0, 0.1)); // the squares hang in its middle, in the plane z = 0
+    const Finished warned = run({"sew", document, "--seconds", "0.02", "--quiet"});
+    QCOMPARE(warned.status, 3);
+    QVERIFY2(warned.err.contains("start: The garment starts 50.0 mm inside the body"), qPrintable(warned.err));
+    const Finished refused = run({"sew", document, "--seconds", "0.02", "--strict", "--out", in("drape.glb")});
+    QCOMPARE(refused.status, 1);
+    QVERIFY(refused.err.contains("leave out --strict"));
+    QVERIFY(!QFile::exists(in("drape.glb")));
+    const Finished arranged = run({"sew", document, "--seconds", "0.02", "--strict", "--arrange", "auto", "--quiet"});
+    QCOMPARE(arranged.status, 3); // in so short a time no seam closes
+    QVERIFY(!arranged.err.contains("inside the body"));
+}
+
+void tst_SewCommand::methodsToComeAreRefusedWithASentence() {
+    QCOMPARE(run({"sew", sample("two-squares.toile"), "--method", "xpbd", "--seconds", "3"}).status, 0);
+    const Finished finished = run({"sew", sample("two-squares.toile"), "--method", "trbdf2"});
+    QCOMPARE(finished.status, 1);
+    QCOMPARE(finished.errorLines().size(), 1);
+    QVERIFY(finished.err.contains("\"trbdf2\" is not offered yet"));
+}
+
+void tst_SewCommand::moreThreadsAreAnsweredHonestly() {
+    const Finished finished =
+        run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--threads", "3", "--quiet", "--report", in("sew.json")});
+    QVERIFY(finished.err.contains("--threads: This version computes on one thread."));
+    QCOMPARE(*report().find("threads")->asNumber(), 1.0);
+}
+
+void tst_SewCommand::aMissingFolderIsSaidAndNothingIsWritten() {
+    const Finished finished =
+        run({"sew", sample("two-squares.toile"), "--out", in("drape.glb"), "--report", in("none/sew.json")});
+    QCOMPARE(finished.status, 1);
+    QCOMPARE(finished.errorLines().size(), 1);
+    QVERIFY(finished.err.contains("There is no folder"));
+    QVERIFY(QDir(folder_->path()).isEmpty());
+}
+
+void tst_SewCommand::aBrokenDocumentIsRefused() {
+    const Finished finished = run({"sew", sample("broken/unknown-piece-in-seam.toile"), "--out", in("drape.glb")});
+    QCOMPARE(finished.status, 1);
+    QVERIFY(finished.err.contains("There is no piece \"sleeve\"."));
+    QVERIFY(QDir(folder_->path()).isEmpty());
+}
+
+void tst_SewCommand::anInterruptLeavesNothingBehind() {
+    QProcess process; // a garment that takes minutes
+    process.setReadChannel(QProcess::StandardError);
+    process.start(program(), {"sew", sample("blouse.toile"), "--spacing", "10", "--out", in("drape.glb"), "--report", in("sew.json")});
+    QVERIFY(process.waitForReadyRead(60000)); // its first word of progress
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QVERIFY(process.exitCode() != 0);
+    QVERIFY(process.readAllStandardError().contains("stopped"));
+    QVERIFY(QDir(folder_->path()).isEmpty());
+}
+
+void tst_SewCommand::wrongUsage_data() {
+    QTest::addColumn<QStringList>("options");
+    QTest::newRow("an unknown option") << QStringList{"--faster"};
+    QTest::newRow("an unknown method") << QStringList{"--method", "magic"};
+    QTest::newRow("an unknown arrangement") << QStringList{"--arrange", "tidy"};
+    QTest::newRow("so long, and until rest") << QStringList{"--seconds", "3", "--until-rest"};
+    QTest::newRow("no substep") << QStringList{"--substeps", "0"};
+    QTest::newRow("no thread") << QStringList{"--threads", "0"};
+    QTest::newRow("a step of nothing") << QStringList{"--step", "0"};
+}
+
+void tst_SewCommand::wrongUsage() {
+    QFETCH(QStringList, options);
+    const Finished finished = run(QStringList{"sew", sample("two-squares.toile")} + options);
+    QCOMPARE(finished.status, 2);
+    QVERIFY(!finished.err.isEmpty());
+}
+
+QTEST_GUILESS_MAIN(tst_SewCommand)
+#include "tst_SewCommand.moc"

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/Statics.h"
+#include "core/dynamics/Xpbd.h"
+#include "tests/cloth/Fixtures.h"
+#include "tests/dynamics/ContactWorld.h"
+
+#include <QtTest>
+
+using namespace toile;
+using namespace toile::contactWorld;
+
+namespace {
+
+/// Collects the 3×3 blocks of a small Hessian densely.
+class DenseSink : public dynamics::HessianSink {
+public:
+    explicit DenseSink(int particles) : size(3 * particles), values(size * size) {}
+    void add(int i, int j, const double (&block)[9]) override {
+        for (int r = 0; r < 3; ++r)
+            for (int c = 0; c < 3; ++c) values[(3 * i + r) * size + 3 * j + c] += block[3 * r + c];
+    }
+    [[nodiscard]] double quadratic(const std::vector<double>& v) const {
+        double sum = 0;
+        for (int r = 0; r < size; ++r)
+            for (int c = 0; c < size; ++c) sum += v[r] * values[r * size + c] * v[c];
+        return sum;
+    }
+    int size;
+    std::vector<double> values;
+};
+
+} // namespace
+
+class tst_BodyContactStatics : public QObject {
+    Q_OBJECT
+private slots:
+    void theForceIsMinusTheGradientOfTheEnergy();
+    void theHessianIsTheCurvatureOfTheEnergyAndNeverNegative();
+    void inStaticsFrictionHoldsUpToTheConeAndNotBeyond();
+    void aSheetDrapesOverABallAndStaysOutsideInStatics();
+};
+
+void tst_BodyContactStatics::theForceIsMinusTheGradientOfTheEnergy() {
+    const auto body = surfaceOf(shapes::starBody(30, 40, [](const Vec3&) { return 0.1; }));
+    std::mt19937 random(23);
+    for (int n = 0; n < 40; ++n) {
+        const Vec3 up = normalized(shapes::randomPoint(random, 1));
+        std::vector<Vec3> x{up * (0.1 + target - 1e-4), up * (0.1 + target - 1e-4) + shapes::randomPoint(random, 0.01)};
+        std::vector<ContactSample> samples{sampleAt(0, 0.3), sampleAt(1, 0.3)};
+        samples.push_back(dynamics::middleOf(std::array<const ContactSample*, 2>{&samples[0], &samples[1]}));
+        BodyContact contact(body, samples);
+        contact.beginIteration(x);
+        for (Vec3& p : x) p += shapes::randomPoint(random, n % 2 ? 1e-4 : 1e-3); // sticking and slipping
+        std::vector<Vec3> forces(2);
+        contact.addForces(x, forces);
+        for (int i = 0; i < 2; ++i)
+            for (int axis = 0; axis < 3; ++axis) {
+                const double step = 1e-8;
+                auto more = x, less = x;
+                more[i][axis] += step;
+                less[i][axis] -= step;
+                const double slope = (contact.energy(more) - contact.energy(less)) / (2 * step);
+                // k = 500 N/m over 10 nm, and a kink of the curvature where contact begins
+                QVERIFY(std::abs(forces[i][axis] + slope) < 1e-5 * (std::abs(slope) + 0.1));
+            }
+    }
+}
+
+void tst_BodyContactStatics::theHessianIsTheCurvatureOfTheEnergyAndNeverNegative() {
+    const auto body = surfaceOf(shapes::starBody(30, 40, [](const Vec3&) { return 0.1; }));
+    std::mt19937 random(24);
+    std::uniform_real_distribution<double> any(-1, 1);
+    for (int n = 0; n < 40; ++n) {
+        const Vec3 up = normalized(shapes::randomPoint(random, 1));
+        std::vector<Vec3> x{up * (0.1 + target - 2e-4), up * (0.1 + target - 2e-4) + shapes::randomPoint(random, 1e-4)};
+        std::vector<ContactSample> samples{sampleAt(0, 0.3), sampleAt(1, 0.3)};
+        samples.push_back(dynamics::middleOf(std::array<const ContactSample*, 2>{&samples[0], &samples[1]}));
+        BodyContact contact(body, samples);
+        contact.beginIteration(x);
+        for (Vec3& p : x) p += shapes::randomPoint(random, n % 2 ? 4e-5 : 2e-4);
+        DenseSink sink(2);
+        contact.addHessian(x, sink);
+
+        std::vector<double> v(6);
+        for (double& value : v) value = any(random);
+        QVERIFY(sink.quadratic(v) >= -1e-9);
+        const double step = 1e-8;
+        auto more = x, less = x;
+        for (int k = 0; k < 6; ++k) {
+            more[k / 3][k % 3] += step * v[k];
+            less[k / 3][k % 3] -= step * v[k];
+        }
+        std::vector<Vec3> forceMore(2), forceLess(2);
+        contact.addForces(more, forceMore);
+        contact.addForces(less, forceLess);
+        double curvature = 0;
+        for (int k = 0; k < 6; ++k)
+            curvature -= v[k] * (forceMore[k / 3][k % 3] - forceLess[k / 3][k % 3]) / (2 * step);
+        QVERIFY(std::abs(curvature - sink.quadratic(v)) < 1e-4 * (1 + std::abs(curvature)));
+    }
+}
+
+void tst_BodyContactStatics::inStaticsFrictionHoldsUpToTheConeAndNotBeyond() {
+    const auto plane = surfaceOf(shapes::plane(1, 8));
+    const double mu = 0.3, mass = 2e-5, weight = mass * gravity;
+    for (const double angle : {10.0, 16.0, 17.4, 25.0}) {
+        World world({{0, target, 0}});
+        world.acceleration = slope(angle * degrees);
+        BodyContact contact(plane, {sampleAt(0, mu)});
+        world.run(contact, 0.05); // the normal force is known from the substeps
+        std::vector<Vec3> x = world.positions;
+        const Vec3 start = x[0];
+        double residual = 0;
+        for (int iteration = 0; iteration < 60; ++iteration) {
+            contact.beginIteration(x);
+            std::vector<Vec3> force{world.acceleration * mass};
+            contact.addForces(x, force);
+            residual = length(force[0]);
+            DenseSink hessian(1);
+            contact.addHessian(x, hessian);
+            // the plane is level: x and y do not mix. At most 1 mm per iteration.
+            const double stiffnessX = std::max(hessian.values[0], 1e-9), stiffnessY = std::max(hessian.values[4], 1e-3);
+            x[0].x += std::clamp(force[0].x / stiffnessX, -1e-3, 1e-3);
+            x[0].y += std::clamp(force[0].y / stiffnessY, -1e-3, 1e-3);
+        }
+        if (angle < 16.6) {
+            QVERIFY(residual < 1e-3 * weight);
+            QVERIFY(distance(x[0], start) < 1.1e-4); // friction builds up within frictionGive
+        } else {
+            QVERIFY(x[0].x - start.x > 5e-3); // nothing holds it: it goes as far as the iterations let it
+        }
+    }
+}
+
+void tst_BodyContactStatics::aSheetDrapesOverABallAndStaysOutsideInStatics() {
+    const int cells = 16;
+    const double extent = 0.24;
+    const auto patch = fixtures::gridPatch(fixtures::evenLines(extent, cells), fixtures::evenLines(extent, cells));
+    cloth::ClothModel model;
+    QVERIFY(cloth::appendPatch(model, patch, material::Fabric{}));
+    const auto ball = surfaceOf(shapes::starBody(40, 60, [](const Vec3&) { return 0.1; }));
+    dynamics::ParticleState state;
+    for (const Vec2& m : patch.material) state.positions.push_back({m.x - extent / 2, 0.11, m.y - extent / 2});
+    state.velocities.resize(state.positions.size());
+    const std::vector<double> half(model.mass.size(), 0.0002), mu(model.mass.size(), 0.4);
+    BodyContact contact(ball, dynamics::particleSamples(model, half, mu, 0.4));
+    dynamics::Stage* stages[]{&contact};
+
+    dynamics::Xpbd xpbd(model, {.damping = 2});
+    for (int frame = 0; frame < 360; ++frame) {
+        QVERIFY(xpbd.step(state, 1.0 / 60, 20, {0, -gravity, 0}, stages));
+        QVERIFY(contact.clearance(state.positions) > target - 1e-4);
+    }
+    double speed = 0;
+    for (const Vec3& v : state.velocities) speed = std::max(speed, length(v));
+    QVERIFY(speed < 0.02);
+    const auto draped = contact.report(state.positions);
+    QVERIFY(draped.contacts > 40);
+
+    const auto report = dynamics::solveStatic(model, state, {0, -gravity, 0}, stages);
+    QVERIFY(report);
+    QVERIFY(report->newton.converged);
+    QVERIFY(report->displacementMaximum < 0.03); // it straightens what XPBD left stretched, and does not slide off
+    const auto resting = contact.report(state.positions);
+    QVERIFY(resting.smallestClearance > target - 3e-4); // dents stay below 0.3 mm
+    QVERIFY(resting.contacts > 20);
+}
+
+QTEST_APPLESS_MAIN(tst_BodyContactStatics)
+#include "tst_BodyContactStatics.moc"

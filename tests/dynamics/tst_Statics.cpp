@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cloth/Forces.h"
+#include "core/collision/BodySurface.h"
+#include "core/dynamics/BodyContact.h"
+#include "core/dynamics/Statics.h"
+#include "core/dynamics/Xpbd.h"
+#include "tests/cloth/Fixtures.h"
+
+#include <QTest>
+#include <limits>
+#include <numbers>
+
+using namespace toile;
+using namespace toile::fixtures;
+
+namespace {
+
+const Vec3 gravity{0, -9.81, 0};
+
+struct Sheet {
+    ClothModel model;
+    dynamics::ParticleState state;
+};
+
+/// A horizontal square sheet of `cells`² cells and side `size`, its corners at −x pinned.
+Sheet sheet(const Fabric& fabric, double size, int cells, bool triangles = false) {
+    Sheet s;
+    const auto lines = evenLines(size, cells);
+    const Patch patch = triangles ? trianglePatch(lines, lines) : gridPatch(lines, lines);
+    auto report = cloth::appendPatch(s.model, patch, fabric);
+    if (!report) qFatal("%s", toString(report.error()).c_str());
+    for (const Vec2& m : patch.material) s.state.positions.push_back({m.x, 0, m.y});
+    s.state.velocities.resize(s.state.positions.size());
+    s.model.pinned = {0, cells * (cells + 1)};
+    return s;
+}
+
+/// A ball about the origin, 2n meridians and n bands.
+geometry::TriangleMesh ball(double radius, int n) {
+    geometry::TriangleMesh mesh;
+    const auto ring = [&](int band, int meridian) { return band * 2 * n + meridian % (2 * n); };
+    for (int band = 0; band <= n; ++band)
+        for (int m = 0; m < 2 * n; ++m) {
+            const double a = std::numbers::pi * band / n, b = std::numbers::pi * m / n;
+            mesh.vertices.push_back(
+                {radius * std::sin(a) * std::cos(b), radius * std::cos(a), radius * std::sin(a) * std::sin(b)});
+        }
+    for (int band = 0; band < n; ++band)
+        for (int m = 0; m < 2 * n; ++m) {
+            mesh.triangles.push_back({ring(band, m), ring(band, m + 1), ring(band + 1, m + 1)});
+            mesh.triangles.push_back({ring(band, m), ring(band + 1, m + 1), ring(band + 1, m)});
+        }
+    return geometry::welded(mesh, 1e-9);
+}
+
+double residualOf(const Sheet& s) {
+    std::vector<Vec3> forces(s.state.positions.size());
+    cloth::addForces(s.model, s.state.positions, forces);
+    cloth::gatherToMasters(s.model, forces);
+    double worst = 0, weight = 0;
+    for (int p = 0; p < s.model.particleCount(); ++p) {
+        weight += s.model.mass[p] * 9.81 / s.model.particleCount();
+        if (std::ranges::find(s.model.pinned, p) == s.model.pinned.end())
+            worst = std::max(worst, length(forces[p] + s.model.mass[p] * gravity));
+    }
+    return worst / weight;
+}
+
+} // namespace
+
+class tst_Statics : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aSheetOnTwoCornersComesToRestFromItsDrape_data() {
+        QTest::addColumn<bool>("knit");
+        QTest::addColumn<bool>("triangles");
+        QTest::newRow("springs") << false << false;
+        QTest::newRow("triangles") << false << true;
+        QTest::newRow("knit cells") << true << false;
+    }
+    void aSheetOnTwoCornersComesToRestFromItsDrape() {
+        QFETCH(bool, knit);
+        QFETCH(bool, triangles);
+        Sheet s = sheet(knit ? knitFabric() : wovenFabric(), 0.5, 20, triangles);
+        dynamics::Xpbd xpbd(s.model, {.damping = 3});
+        for (int frame = 0; frame < 120; ++frame)
+            QVERIFY(xpbd.step(s.state, 1.0 / 60, 20, gravity, {}));
+        const auto report = dynamics::solveStatic(s.model, s.state, gravity, {});
+        QVERIFY2(report, report ? "" : toString(report.error()).c_str());
+        QVERIFY(report->newton.converged);
+        QVERIFY(residualOf(s) <= 1e-3);
+        QCOMPARE(report->newton.analyses, 1);
+    }
+
+    void aSheetOnABallComesToRestWithContactAndFriction() {
+        Sheet s = sheet(wovenFabric(), 0.5, 20);
+        s.model.pinned.clear();
+        for (Vec3& x : s.state.positions) x += Vec3{-0.237, 0.16, -0.243};
+        const auto body = collision::BodySurface::create(ball(0.15, 30));
+        QVERIFY(body);
+        const std::vector<double> halfThickness(s.model.mass.size(), 2e-4), friction(s.model.mass.size(), 0.4);
+        // Ten times softer than by default: on a curved body stiff contact moves more force than the tangent planes
+        // of one iteration are true for.
+        dynamics::BodyContact contact(*body, dynamics::particleSamples(s.model, halfThickness, friction, 0.3),
+                                      {.stiffness = 2.5e6});
+        dynamics::Stage* stages[] = {&contact};
+        dynamics::Xpbd xpbd(s.model, {.damping = 2});
+        for (int frame = 0; frame < 240; ++frame) QVERIFY(xpbd.step(s.state, 1.0 / 60, 20, gravity, stages));
+        const auto report = dynamics::solveStatic(s.model, s.state, gravity, stages);
+        QVERIFY(report);
+        QVERIFY2(report->newton.converged, qPrintable(QString("residual %1").arg(report->newton.residual)));
+        QVERIFY(contact.clearance(s.state.positions) > 0.0025); // of 3.2 mm asked
+        QVERIFY(contact.report(s.state.positions).contacts > 20);
+    }
+
+    void aFlatSheetFallsIntoEquilibriumToo() {
+        Sheet s = sheet(wovenFabric(), 0.5, 16);
+        const auto report = dynamics::solveStatic(s.model, s.state, gravity, {});
+        QVERIFY(report);
+        QVERIFY(report->newton.converged);
+        QVERIFY(report->displacementMaximum > 0.3);
+    }
+};
+
+QTEST_APPLESS_MAIN(tst_Statics)
+#include "tst_Statics.moc"

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/meshing/MeshFixtures.h"
+
+#include <QtTest>
+
+using namespace toile;
+using namespace toile::meshing;
+
+/// Pieces of one region under the regular rule.
+class tst_RegularMesh : public QObject {
+    Q_OBJECT
+private slots:
+    void aSquareIsRectanglesOnly();
+    void aTurnedSquareIsRectanglesAlongItsGrain();
+    void everyShapeGivesAValidMesh_data();
+    void everyShapeGivesAValidMesh();
+    void boundaryNodesLieOnTheirCurves();
+    void theMirroredTwinIsTheMirrorImage();
+};
+
+namespace {
+
+PieceInput turnedSquare(double angle) {
+    std::vector<Vec2> corners{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (Vec2& corner : corners) corner = geometry::rotated(corner, angle);
+    PieceInput piece = polygonPiece(corners, 1.0 / 32);
+    piece.grain = angle;
+    return piece;
+}
+
+PieceInput ringPiece() {
+    PieceInput piece = circlePiece(0.3, 0.02);
+    piece.holes.push_back(circleLoop({0.02, 0.01}, 0.1, true));
+    return piece;
+}
+
+} // namespace
+
+void tst_RegularMesh::aSquareIsRectanglesOnly() {
+    const auto garment = meshGarment(inputOf(rectanglePiece(1, 1, 1.0 / 32)));
+    QVERIFY(garment);
+    const PieceMesh& mesh = garment->pieces[0];
+    QCOMPARE(mesh.nodes.size(), std::size_t{33 * 33});
+    QCOMPARE(mesh.rectangles.size(), std::size_t{32 * 32});
+    QVERIFY(mesh.triangles.empty());
+    QCOMPARE(QString::fromStdString(defectOf(mesh)), QString());
+}
+
+void tst_RegularMesh::aTurnedSquareIsRectanglesAlongItsGrain() {
+    for (const double angle : {0.3, -1.1, 2.5}) {
+        const auto garment = meshGarment(inputOf(turnedSquare(angle)));
+        QVERIFY(garment);
+        QCOMPARE(garment->pieces[0].nodes.size(), std::size_t{33 * 33});
+        QVERIFY(garment->pieces[0].triangles.empty());
+        QCOMPARE(QString::fromStdString(defectOf(garment->pieces[0])), QString());
+    }
+}
+
+void tst_RegularMesh::everyShapeGivesAValidMesh_data() {
+    QTest::addColumn<int>("shape");
+    QTest::addColumn<int>("holes");
+    QTest::addRow("a triangle") << 0 << 0;
+    QTest::addRow("a circle") << 1 << 0;
+    QTest::addRow("a ring") << 2 << 1;
+    QTest::addRow("a bodice at 20 mm") << 3 << 0;
+    QTest::addRow("a bodice at 5 mm") << 4 << 0;
+    QTest::addRow("an L") << 5 << 0;
+}
+
+void tst_RegularMesh::everyShapeGivesAValidMesh() {
+    QFETCH(int, shape);
+    QFETCH(int, holes);
+    const std::vector<PieceInput> shapes{
+        polygonPiece({{0, 0}, {0.4, 0.05}, {0.15, 0.35}}, 0.02),
+        circlePiece(0.25, 0.02),
+        ringPiece(),
+        bodicePiece(0.02),
+        bodicePiece(0.005),
+        polygonPiece({{0, 0}, {0.3, 0}, {0.3, 0.11}, {0.12, 0.11}, {0.12, 0.4}, {0, 0.4}}, 0.02)};
+    const auto garment = meshGarment(inputOf(shapes[static_cast<std::size_t>(shape)]));
+    QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
+    QCOMPARE(QString::fromStdString(defectOf(garment->pieces[0], holes)), QString());
+    const PieceReport& report = garment->report.pieces[0];
+    qInfo("nodes %d, rectangles %.1f %%, angles %.1f … %.1f degrees", report.nodes,
+          report.rectangleFraction * 100, report.minimumAngle * 57.29578, report.maximumAngle * 57.29578);
+}
+
+void tst_RegularMesh::boundaryNodesLieOnTheirCurves() {
+    const PieceInput piece = bodicePiece(0.02);
+    const auto garment = meshGarment(inputOf(piece));
+    QVERIFY(garment);
+    const PieceMesh& mesh = garment->pieces[0];
+    for (std::size_t e = 0; e < piece.outline.size(); ++e) {
+        const geometry::ArcLength arc(piece.outline[e].curve);
+        for (const EdgeNode& node : mesh.loops[0][e])
+            QVERIFY(distance(mesh.nodes[static_cast<std::size_t>(node.node)], arc.pointAt(node.fraction)) <=
+                    1e-15);
+        QCOMPARE(mesh.loops[0][e].size() - 1, static_cast<std::size_t>(std::ceil(arc.total() / 0.02 - 1e-9)));
+        QVERIFY(mesh.nodes[static_cast<std::size_t>(mesh.loops[0][e].front().node)] ==
+                piece.outline[e].curve.start);
+        QVERIFY(mesh.nodes[static_cast<std::size_t>(mesh.loops[0][e].back().node)] ==
+                piece.outline[e].curve.end);
+    }
+}
+
+void tst_RegularMesh::theMirroredTwinIsTheMirrorImage() {
+    const PieceInput piece = bodicePiece(0.02);
+    const Vec2 a{0.4, 0}, b{0.4, 1};
+    PieceInput twin = piece;
+    twin.mirrored = true;
+    std::reverse(twin.outline.begin(), twin.outline.end());
+    for (BoundaryEdge& edge : twin.outline)
+        edge.curve = geometry::reversed(geometry::mirrored(edge.curve, a, b));
+    const auto garment = meshGarment({{piece, twin}, {}});
+    QVERIFY(garment);
+    const PieceMesh &mesh = garment->pieces[0], &image = garment->pieces[1];
+    QCOMPARE(QString::fromStdString(defectOf(image)), QString());
+    QCOMPARE(image.nodes.size(), mesh.nodes.size());
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) // the same order; rounding of two ways to one place
+        QVERIFY(distance(geometry::mirrored(mesh.nodes[i], a, b), image.nodes[i]) < 1e-14);
+    QCOMPARE(image.rectangles.size(), mesh.rectangles.size());
+    QCOMPARE(image.triangles.size(), mesh.triangles.size());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        auto mine = mesh.triangles[i].nodes, its = image.triangles[i].nodes;
+        std::sort(mine.begin(), mine.end());
+        std::sort(its.begin(), its.end());
+        QVERIFY(mine == its);
+    }
+}
+
+QTEST_APPLESS_MAIN(tst_RegularMesh)
+#include "tst_RegularMesh.moc"

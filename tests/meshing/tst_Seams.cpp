@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/meshing/MeshFixtures.h"
+
+#include <QtTest>
+
+using namespace toile;
+using namespace toile::meshing;
+
+/// Seam preprocessing: equal counts at equal relative lengths.
+class tst_Seams : public QObject {
+    Q_OBJECT
+private slots:
+    void bothSidesCarryTheFinerCount();
+    void aReversedPartIsWalkedBackwards();
+    void jointsOfOneSideBecomeNodesOfTheOther();
+    void anUndeclaredMismatchIsAnErrorWithBothLengths();
+    void declaredEaseKeepsEqualCounts();
+    void notchesAreMatchedInOrder();
+    void seamsThatShareAnEdgeShareItsCount();
+    void aDartClosesAtOneTip();
+};
+
+namespace {
+
+SeamInput seamOf(std::vector<SeamPartInput> a, std::vector<SeamPartInput> b) {
+    SeamInput seam;
+    seam.label = "seam";
+    seam.sides = {std::move(a), std::move(b)};
+    return seam;
+}
+
+Vec2 pointOf(const GarmentMesh& garment, NodeRef ref) {
+    return garment.pieces[static_cast<std::size_t>(ref.piece)].nodes[static_cast<std::size_t>(ref.node)];
+}
+
+} // namespace
+
+void tst_Seams::bothSidesCarryTheFinerCount() {
+    MeshInput input{{rectanglePiece(0.2, 0.3, 0.02), rectanglePiece(0.1, 0.3, 0.01)}, {}};
+    input.seams = {seamOf({{0, 0, 1}}, {{1, 0, 3, 0, 1, true}})};
+    const auto garment = meshGarment(input);
+    QVERIFY(garment);
+    QCOMPARE(garment->seams[0].pairs.size(), std::size_t{31});
+    for (const auto& [a, b] :
+         garment->seams[0].pairs) // right edge of one, left edge of the other, both upwards
+        QVERIFY(std::abs(pointOf(*garment, a).y - pointOf(*garment, b).y) < 1e-15);
+    QVERIFY(pointOf(*garment, garment->seams[0].pairs.front()[0]) == (Vec2{0.2, 0}));
+    QVERIFY(pointOf(*garment, garment->seams[0].pairs.back()[1]) == (Vec2{0, 0.3}));
+    for (const PieceMesh& mesh : garment->pieces) QCOMPARE(QString::fromStdString(defectOf(mesh)), QString());
+}
+
+void tst_Seams::aReversedPartIsWalkedBackwards() {
+    MeshInput input{{rectanglePiece(0.2, 0.3, 0.02), rectanglePiece(0.2, 0.3, 0.02)}, {}};
+    input.seams = {seamOf({{0, 0, 1, 0.25, 0.75, true}}, {{1, 0, 1, 0.25, 0.75, false}})};
+    const auto garment = meshGarment(input);
+    QVERIFY(garment);
+    const auto& pairs = garment->seams[0].pairs;
+    QCOMPARE(pairs.size(), std::size_t{9}); // ceil(0.15 / 0.02) = 8 parts
+    QVERIFY(distance(pointOf(*garment, pairs.front()[0]), Vec2{0.2, 0.225}) < 1e-15);
+    QVERIFY(distance(pointOf(*garment, pairs.front()[1]), Vec2{0.2, 0.075}) < 1e-15);
+}
+
+void tst_Seams::jointsOfOneSideBecomeNodesOfTheOther() {
+    // Two narrow pieces side by side on one wide one; the joint lies at 0.13 of 0.3.
+    MeshInput input{
+        {rectanglePiece(0.13, 0.2, 0.02), rectanglePiece(0.17, 0.2, 0.02), rectanglePiece(0.3, 0.1, 0.02)},
+        {}};
+    input.seams = {seamOf({{0, 0, 0}, {1, 0, 0}}, {{2, 0, 2, 0, 1, true}})};
+    const auto garment = meshGarment(input);
+    QVERIFY(garment);
+    const auto& pairs = garment->seams[0].pairs;
+    QCOMPARE(pairs.size(), std::size_t{7 + 1 + 9 + 1}); // the joint twice: two corners face one node
+    QCOMPARE(pairs[7][0].piece, 0);
+    QCOMPARE(pairs[8][0].piece, 1);
+    QVERIFY(pairs[7][1] == pairs[8][1]);
+    QVERIFY(distance(pointOf(*garment, pairs[7][1]), Vec2{0.13, 0.1}) < 1e-15);
+}
+
+void tst_Seams::anUndeclaredMismatchIsAnErrorWithBothLengths() {
+    MeshInput input{{rectanglePiece(0.2, 0.304, 0.02), rectanglePiece(0.2, 0.3, 0.02)}, {}};
+    input.seams = {seamOf({{0, 0, 1}}, {{1, 0, 3, 0, 1, true}})};
+    const auto refused = meshGarment(input);
+    QVERIFY(!refused);
+    QVERIFY(refused.error().text.find("304.0 mm") != std::string::npos);
+    QVERIFY(refused.error().text.find("300.0 mm") != std::string::npos);
+    input.pieces[0] = rectanglePiece(0.2, 0.302, 0.02);
+    const auto warned = meshGarment(input);
+    QVERIFY(warned);
+    QCOMPARE(warned->report.warnings.size(), std::size_t{1});
+    input.pieces[0] = rectanglePiece(0.2, 0.3009, 0.02);
+    const auto silent = meshGarment(input);
+    QVERIFY(silent);
+    QVERIFY(silent->report.warnings.empty());
+}
+
+void tst_Seams::declaredEaseKeepsEqualCounts() {
+    MeshInput input{{rectanglePiece(0.2, 0.33, 0.02), rectanglePiece(0.2, 0.3, 0.02)}, {}};
+    input.seams = {seamOf({{0, 0, 1}}, {{1, 0, 3, 0, 1, true}})};
+    input.seams[0].sections = {{0.03, {}}};
+    const auto garment = meshGarment(input);
+    QVERIFY(garment);
+    QCOMPARE(garment->seams[0].pairs.size(), std::size_t{18}); // ceil(0.33 / 0.02) = 17 parts on both sides
+    for (std::size_t k = 0; k < 18; ++k) {
+        const auto& pair = garment->seams[0].pairs[k];
+        QVERIFY(std::abs(pointOf(*garment, pair[0]).y - 0.33 * static_cast<double>(k) / 17) < 1e-15);
+        QVERIFY(std::abs(pointOf(*garment, pair[1]).y - 0.30 * static_cast<double>(k) / 17) < 1e-15);
+    }
+    input.seams[0].sections = {{0, 1.1}}; // the same as a ratio
+    QVERIFY(meshGarment(input));
+}
+
+void tst_Seams::notchesAreMatchedInOrder() {
+    MeshInput input{{rectanglePiece(0.2, 0.4, 0.02), rectanglePiece(0.2, 0.4, 0.02)}, {}};
+    input.pieces[0].outline[1].notches = {0.3};
+    input.pieces[1].outline[3].notches = {0.69}; // walked backwards: 0.31
+    input.seams = {seamOf({{0, 0, 1}}, {{1, 0, 3, 0, 1, true}})};
+    input.seams[0].sections = {{-0.004, {}}, {0.004, {}}};
+    const auto garment = meshGarment(input);
+    QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
+    const auto& pairs = garment->seams[0].pairs;
+    QCOMPARE(pairs.size(), std::size_t{1 + 7 + 14});
+    QVERIFY(distance(pointOf(*garment, pairs[7][0]), Vec2{0.2, 0.12}) < 1e-15);
+    QVERIFY(distance(pointOf(*garment, pairs[7][1]), Vec2{0, 0.124}) < 1e-15);
+}
+
+void tst_Seams::seamsThatShareAnEdgeShareItsCount() {
+    MeshInput input{
+        {rectanglePiece(0.2, 0.3, 0.02), rectanglePiece(0.2, 0.3, 0.02), rectanglePiece(0.2, 0.3, 0.01)}, {}};
+    input.seams = {seamOf({{0, 0, 1}}, {{1, 0, 1}}), seamOf({{1, 0, 1}}, {{2, 0, 1}})};
+    const auto garment = meshGarment(input);
+    QVERIFY(garment);
+    QCOMPARE(garment->seams[0].pairs.size(), std::size_t{31});
+    QCOMPARE(garment->seams[1].pairs.size(), std::size_t{31});
+}
+
+void tst_Seams::aDartClosesAtOneTip() {
+    PieceInput piece =
+        polygonPiece({{0, 0}, {0.09, 0}, {0.1, 0.12}, {0.11, 0}, {0.2, 0}, {0.2, 0.3}, {0, 0.3}}, 0.02);
+    MeshInput input{{piece}, {}};
+    input.seams = {seamOf({{0, 0, 1}}, {{0, 0, 2, 0, 1, true}})};
+    const auto garment = meshGarment(input);
+    QVERIFY(garment);
+    const auto& pairs = garment->seams[0].pairs;
+    QCOMPARE(pairs.size(), std::size_t{8});
+    QVERIFY(pairs.back()[0] == pairs.back()[1]);
+    QVERIFY(pointOf(*garment, pairs.back()[0]) == (Vec2{0.1, 0.12}));
+    QCOMPARE(QString::fromStdString(defectOf(garment->pieces[0])), QString());
+}
+
+QTEST_APPLESS_MAIN(tst_Seams)
+#include "tst_Seams.moc"

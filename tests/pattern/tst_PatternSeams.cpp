@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/PatternSeams.h"
+
+#include "core/pattern/PatternMeasures.h"
+#include "tests/pattern/TwoPanels.h"
+
+#include <QtTest>
+
+using namespace toile;
+using namespace toile::pattern;
+
+class tst_PatternSeams : public QObject {
+    Q_OBJECT
+private slots:
+    void rightSideMeetsRightSide();
+    void aMirrorImageIsWalkedAgainstItsSource();
+    void inSpaceTheNearerEndsMeet();
+    void aDartClosesFromItsMouthToItsTip();
+    void aChainIsWalkedBackwardsAsAWhole();
+    void aSewnStretchIsRefused();
+    void anEdgeIsNotSewnToItself();
+    void reversingTwiceChangesNothing();
+    void easeBelongsToASectionBetweenNotches();
+    void easeAwayLeavesNoMismatch();
+    void aGatherRatioCountsAsEase();
+    void aSeamIsRemoved();
+};
+
+namespace {
+
+const PieceId front("front"), back("back"), image("image");
+
+Pattern unsewn() {
+    Pattern pattern = tests::twoPanels();
+    pattern.seams.clear();
+    return pattern;
+}
+
+Pattern unplaced() {
+    Pattern pattern = unsewn();
+    for (auto& shared : pattern.pieces) {
+        Piece piece = *shared;
+        piece.placement.reset();
+        shared = std::move(piece);
+    }
+    return pattern;
+}
+
+std::array<std::vector<Vec2>, 2> sidePoints(const Pattern& pattern, const Seam& seam) {
+    std::array<std::vector<Vec2>, 2> points;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (const SeamPart& part : seam.sides[side])
+            for (const Vec2 p : partPoints(pattern, part, 1e-4)) points[side].push_back(p);
+    return points;
+}
+
+} // namespace
+
+void tst_PatternSeams::rightSideMeetsRightSide() {
+    IdSource ids{50};
+    const Pattern pattern = *addSeam(unplaced(), {front, EdgeId("right")}, {back, EdgeId("left")}, ids);
+    const auto points = sidePoints(pattern, pattern.seams[0]);
+    // Both sides run from the hem upwards.
+    QCOMPARE(points[0].front(), (Vec2{0.3, 0}));
+    QCOMPARE(points[1].front(), (Vec2{0, 0}));
+    QCOMPARE(pattern.seams[0].id, SeamId("s50"));
+    QCOMPARE(ids.next, 51);
+}
+
+void tst_PatternSeams::aMirrorImageIsWalkedAgainstItsSource() {
+    // Front and its image meet at the centre front (left edge, x = 0): both must run the same way up or down.
+    IdSource ids{50};
+    const Pattern pattern = *addSeam(unplaced(), {front, EdgeId("left")}, {image, EdgeId("left")}, ids);
+    const auto points = sidePoints(pattern, pattern.seams[0]);
+    QCOMPARE(points[0].front(), points[1].front());
+    QCOMPARE(points[0].back(), points[1].back());
+}
+
+void tst_PatternSeams::inSpaceTheNearerEndsMeet() {
+    // The back stands on its head: its left edge, still at the front's right one, now runs upwards.
+    Pattern pattern = unsewn();
+    Piece turned = *pattern.pieces[1];
+    turned.placement = Placement{{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0.15, 1.0, -0.2}}, {}};
+    pattern.pieces[1] = turned;
+    IdSource ids{50};
+    const Pattern sewn = *addSeam(pattern, {front, EdgeId("right")}, {back, EdgeId("left")}, ids);
+    const auto points = sidePoints(sewn, sewn.seams[0]);
+    QCOMPARE(placed(*sewn.pieces[0]->placement, points[0].front()).y, placed(*sewn.pieces[1]->placement, points[1].front()).y);
+    QVERIFY(!isTwisted(sewn, sewn.seams[0]));
+    QVERIFY(isTwisted(*reverseSeam(sewn, sewn.seams[0].id), reverseSeam(sewn, sewn.seams[0].id)->seams[0]));
+}
+
+void tst_PatternSeams::aDartClosesFromItsMouthToItsTip() {
+    Pattern pattern = unsewn();
+    Piece piece = *pattern.pieces[1];
+    auto& v = piece.outline.vertices;
+    auto& e = piece.outline.edges;
+    v.insert(v.begin() + 1, {{VertexId("a"), {0.14, 0}}, {VertexId("tip"), {0.15, 0.1}}, {VertexId("b"), {0.16, 0}}});
+    e.insert(e.begin() + 1, {{EdgeId("legA"), {}, {}}, {EdgeId("legB"), {}, {}}, {EdgeId("rest"), {}, {}}});
+    pattern.pieces[1] = piece;
+    IdSource ids{50};
+    const Pattern sewn = *addSeam(pattern, {back, EdgeId("legA")}, {back, EdgeId("legB")}, ids);
+    const auto points = sidePoints(sewn, sewn.seams[0]);
+    QCOMPARE(points[0].back(), (Vec2{0.15, 0.1}));
+    QCOMPARE(points[1].back(), (Vec2{0.15, 0.1}));
+    QCOMPARE(points[1].front(), (Vec2{0.16, 0}));
+}
+
+void tst_PatternSeams::aChainIsWalkedBackwardsAsAWhole() {
+    IdSource ids{50};
+    const std::vector<EdgePick> a{{front, EdgeId("bottom")}, {front, EdgeId("right")}}, b{{back, EdgeId("bottom")}, {back, EdgeId("right")}};
+    const Pattern sewn = *addSeam(unplaced(), a, b, "chain", ids);
+    QCOMPARE(sewn.seams[0].sides[1][0].edge, EdgeId("right"));
+    QVERIFY(sewn.seams[0].sides[1][0].reversed && sewn.seams[0].sides[1][1].reversed);
+    QCOMPARE(sewn.seams[0].name, std::string("chain"));
+}
+
+void tst_PatternSeams::aSewnStretchIsRefused() {
+    IdSource ids{50};
+    const auto twice = addSeam(tests::twoPanels(), {front, EdgeId("right"), 0.9, 1}, {back, EdgeId("top")}, ids);
+    QVERIFY(!twice);
+    QVERIFY(twice.error().text.find("right side") != std::string::npos); // names the other seam
+    QCOMPARE(ids.next, 50);
+}
+
+void tst_PatternSeams::anEdgeIsNotSewnToItself() {
+    IdSource ids{50};
+    QVERIFY(!addSeam(unsewn(), {front, EdgeId("top"), 0, 0.6}, {front, EdgeId("top"), 0.5, 1}, ids));
+    QVERIFY(addSeam(unsewn(), {front, EdgeId("top"), 0, 0.5}, {front, EdgeId("top"), 0.5, 1}, ids));
+}
+
+void tst_PatternSeams::reversingTwiceChangesNothing() {
+    const Pattern pattern = tests::twoPanels();
+    const Pattern once = *reverseSeam(pattern, SeamId("s1"));
+    QVERIFY(!(once == pattern));
+    QVERIFY(*reverseSeam(once, SeamId("s1")) == pattern);
+}
+
+void tst_PatternSeams::easeBelongsToASectionBetweenNotches() {
+    // Two notches on the front only: the sides do not pair, the seam is one section.
+    Pattern pattern = tests::twoPanels();
+    QCOMPARE(sectionCount(pattern, pattern.seams[0]), std::size_t(1));
+    Piece notched = *pattern.pieces[1];
+    notched.notches = {{EdgeId("left"), 0.25}, {EdgeId("left"), 0.75}};
+    pattern.pieces[1] = notched;
+    QCOMPARE(sectionCount(pattern, pattern.seams[0]), std::size_t(3));
+    const Pattern eased = *setSeamEase(pattern, SeamId("s1"), 1, 0.005);
+    QCOMPARE(eased.seams[0].sections.size(), std::size_t(3));
+    QCOMPARE(eased.seams[0].sections[1].ease, 0.005);
+    QVERIFY(!setSeamEase(pattern, SeamId("s1"), 3, 0.005));
+    const auto sections = *sectionsOf(pattern, pattern.seams[0]);
+    const double front0 = edgeLength(*pattern.pieces[0], EdgeId("right"));
+    QVERIFY(std::abs(sections[0].a - 0.25 * front0) < 1e-12);
+    QVERIFY(std::abs(sections[1].a - 0.50 * front0) < 1e-12);
+    QVERIFY(std::abs(sections[2].b - 0.1) < 1e-12);
+}
+
+void tst_PatternSeams::easeAwayLeavesNoMismatch() {
+    const Pattern pattern = tests::twoPanels();
+    QVERIFY(std::abs((*sectionsOf(pattern, pattern.seams[0]))[0].mismatch()) > 1e-4);
+    const Pattern eased = *easeAway(pattern, SeamId("s1"));
+    QVERIFY(std::abs((*sectionsOf(eased, eased.seams[0]))[0].mismatch()) < 1e-15);
+}
+
+void tst_PatternSeams::aGatherRatioCountsAsEase() {
+    Pattern pattern = tests::twoPanels();
+    pattern.pieces[0] = tests::rectangle("front", 0.3, 0.6);
+    const Pattern gathered = *setGatherRatio(pattern, SeamId("s1"), 0, 1.5); // 0.6 m onto 0.4 m
+    QVERIFY(std::abs((*sectionsOf(gathered, gathered.seams[0]))[0].mismatch()) < 1e-12);
+}
+
+void tst_PatternSeams::aSeamIsRemoved() {
+    const Pattern after = *removeSeam(tests::twoPanels(), SeamId("s1"));
+    QCOMPARE(after.seams.size(), std::size_t(1));
+    QVERIFY(!removeSeam(after, SeamId("s1")));
+}
+
+QTEST_APPLESS_MAIN(tst_PatternSeams)
+#include "tst_PatternSeams.moc"

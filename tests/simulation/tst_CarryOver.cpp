@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SmallScenes.h"
+#include "core/simulation/CarryOver.h"
+#include "core/simulation/MeshInputOf.h"
+
+#include <QtTest>
+
+using namespace toile;
+using namespace toile::simulation;
+
+namespace {
+
+/// A piece with a slanted edge, so that its mesh has triangles too.
+meshing::PieceMesh meshOf(double spacing) {
+    pattern::Pattern pattern;
+    pattern.fabrics.push_back(plainCloth());
+    pattern.pieces.push_back(polygonPiece("piece", {{0, 0}, {0.30, 0}, {0.22, 0.21}, {0, 0.21}}, spacing));
+    return meshing::meshGarment(*meshInputOf(pattern))->pieces[0];
+}
+
+Vec3 linear(Vec2 p) { return {0.1 + 2 * p.x - p.y, 0.5 * p.x + 3 * p.y, -0.2 - p.x + 0.25 * p.y}; }
+
+std::vector<Vec3> linearField(const meshing::PieceMesh& mesh) {
+    std::vector<Vec3> field;
+    for (const Vec2 p : mesh.nodes) field.push_back(linear(p));
+    return field;
+}
+
+constexpr double rounding = 1e-12; // of sums of three products of numbers below 1
+
+} // namespace
+
+class tst_CarryOver : public QObject {
+    Q_OBJECT
+private slots:
+    void aConstantFieldStaysConstant();
+    void onTheSameMeshEveryNodeKeepsItsPlace();
+    void aLinearFieldIsReproducedOnAnotherMesh_data();
+    void aLinearFieldIsReproducedOnAnotherMesh();
+    void outsideTheOldOutlineALinearFieldGoesOn();
+    void aCurvedDrapeIsCarriedWithinTheErrorOfItsMesh();
+};
+
+void tst_CarryOver::aConstantFieldStaysConstant() {
+    const meshing::PieceMesh mesh = meshOf(0.03), other = meshOf(0.013);
+    const Vec3 place{0.4, 1.2, -0.1};
+    const std::vector<Vec3> field(mesh.nodes.size(), place);
+    const DrapedPiece drape(mesh, field);
+    for (const Vec2 p : other.nodes) QVERIFY(geometry::distance(drape.at(p), place) < rounding);
+}
+
+void tst_CarryOver::onTheSameMeshEveryNodeKeepsItsPlace() {
+    const meshing::PieceMesh mesh = meshOf(0.02);
+    std::vector<Vec3> field;
+    for (std::size_t node = 0; node < mesh.nodes.size(); ++node) // no two alike, nothing smooth
+        field.push_back({std::sin(12.9 * double(node)), std::cos(78.2 * double(node)), double(node % 7)});
+    const DrapedPiece drape(mesh, field);
+    for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
+        QVERIFY(geometry::distance(drape.at(mesh.nodes[node]), field[node]) < 1e-8); // −1e-9 counts as inside a triangle
+}
+
+void tst_CarryOver::aLinearFieldIsReproducedOnAnotherMesh_data() {
+    QTest::addColumn<double>("from");
+    QTest::addColumn<double>("to");
+    QTest::newRow("from coarse to fine") << 0.04 << 0.011;
+    QTest::newRow("from fine to coarse") << 0.011 << 0.04;
+}
+
+void tst_CarryOver::aLinearFieldIsReproducedOnAnotherMesh() {
+    QFETCH(double, from);
+    QFETCH(double, to);
+    const meshing::PieceMesh mesh = meshOf(from), other = meshOf(to);
+    const std::vector<Vec3> field = linearField(mesh);
+    const DrapedPiece drape(mesh, field);
+    for (const Vec2 p : other.nodes) QVERIFY(geometry::distance(drape.at(p), linear(p)) < rounding);
+}
+
+void tst_CarryOver::outsideTheOldOutlineALinearFieldGoesOn() {
+    const meshing::PieceMesh mesh = meshOf(0.03);
+    const std::vector<Vec3> field = linearField(mesh);
+    const DrapedPiece drape(mesh, field);
+    for (const Vec2 p : {Vec2{-0.02, 0.1}, Vec2{0.31, -0.01}, Vec2{0.1, 0.25}, Vec2{0.30, 0.21}})
+        QVERIFY(geometry::distance(drape.at(p), linear(p)) < 1e-10); // thin triangles are continued far
+}
+
+void tst_CarryOver::aCurvedDrapeIsCarriedWithinTheErrorOfItsMesh() {
+    const double spacing = 0.02, radius = 0.1;
+    const meshing::PieceMesh mesh = meshOf(spacing), other = meshOf(0.007);
+    const auto rolled = [&](Vec2 p) { return Vec3{radius * std::sin(p.x / radius), p.y, radius * std::cos(p.x / radius)}; };
+    std::vector<Vec3> field;
+    for (const Vec2 p : mesh.nodes) field.push_back(rolled(p));
+    const DrapedPiece drape(mesh, field);
+    // Linear interpolation over an edge e of a circle is off by e²/8R at most; diagonals reach √2 spacings and rows may
+    // be a quarter higher than the spacing.
+    const double bound = std::pow(1.25 * std::sqrt(2.0) * spacing, 2) / (8 * radius);
+    for (const Vec2 p : other.nodes) QVERIFY(geometry::distance(drape.at(p), rolled(p)) < bound);
+}
+
+QTEST_APPLESS_MAIN(tst_CarryOver)
+#include "tst_CarryOver.moc"

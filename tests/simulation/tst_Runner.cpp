@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SmallScenes.h"
+#include "core/simulation/Runner.h"
+
+#include <QtTest>
+#include <random>
+
+using namespace toile;
+using namespace toile::simulation;
+
+/// The simulation's thread. Run under the thread sanitizer, too.
+class tst_Runner : public QObject {
+    Q_OBJECT
+private slots:
+    void aSceneGivesAFrameAtOnce();
+    void playingGoesOnAndPauseStops();
+    void aStepIsOneFrame();
+    void resetReturnsToThePlacement();
+    void aWrongSceneGivesAMessage();
+    void fiveHundredEditsWhileItSews();
+
+private:
+    static std::optional<Frame> waitForFrame(Runner& runner, std::function<bool(const Frame&)> wanted) {
+        std::optional<Frame> found;
+        (void)QTest::qWaitFor(
+            [&] {
+                if (auto frame = runner.takeFrame(); frame && wanted(*frame)) found = std::move(frame);
+                return found.has_value();
+            },
+            60000);
+        return found;
+    }
+};
+
+void tst_Runner::aSceneGivesAFrameAtOnce() {
+    Runner runner;
+    QVERIFY(!runner.takeFrame());
+    runner.setScene(twoSquares(0.05), 7);
+    const auto frame = waitForFrame(runner, [](const Frame&) { return true; });
+    QVERIFY(frame);
+    QCOMPARE(frame->generation, std::uint64_t(7));
+    QCOMPARE(frame->time, 0.0);
+    QCOMPARE(frame->positions.size(), frame->topology->material.size());
+    QVERIFY(frame->largestSeamGap > 0.19);
+}
+
+void tst_Runner::playingGoesOnAndPauseStops() {
+    Runner runner;
+    runner.setScene(twoSquares(0.05), 1);
+    runner.play();
+    QVERIFY(runner.isPlaying());
+    QVERIFY(waitForFrame(runner, [](const Frame& frame) { return frame.time > 0.05; }));
+    runner.pause();
+    QVERIFY(!runner.isPlaying());
+}
+
+void tst_Runner::aStepIsOneFrame() {
+    Runner runner;
+    runner.setScene(twoSquares(0.05), 1);
+    QVERIFY(waitForFrame(runner, [](const Frame& frame) { return frame.time == 0; }));
+    runner.step();
+    const auto frame = waitForFrame(runner, [](const Frame& f) { return f.time > 0; });
+    QVERIFY(frame);
+    QCOMPARE(frame->time, 1.0 / 60);
+}
+
+void tst_Runner::resetReturnsToThePlacement() {
+    Runner runner;
+    runner.setScene(twoSquares(0.05), 1);
+    runner.play();
+    QVERIFY(waitForFrame(runner, [](const Frame& frame) { return frame.time > 0.05; }));
+    runner.reset();
+    const auto frame = waitForFrame(runner, [](const Frame& f) { return f.time == 0; });
+    QVERIFY(frame);
+    QVERIFY(!runner.isPlaying());
+}
+
+void tst_Runner::aWrongSceneGivesAMessage() {
+    Runner runner;
+    Scene scene = twoSquares(0.05);
+    scene.pattern.seams[0].sides[0][0].edge = pattern::EdgeId("none");
+    runner.setScene(scene, 1);
+    const auto frame = waitForFrame(runner, [](const Frame& f) { return !f.message.empty(); });
+    QVERIFY(frame);
+    QVERIFY(frame->positions.empty());
+}
+
+void tst_Runner::fiveHundredEditsWhileItSews() {
+    Runner runner;
+    std::mt19937 random(1234);
+    std::uniform_real_distribution<double> shift(-0.01, 0.01);
+    Scene scene = twoSquares(0.05);
+    runner.setScene(scene, 1);
+    runner.play();
+    for (std::uint64_t generation = 2; generation <= 501; ++generation) {
+        pattern::Piece piece = *scene.pattern.pieces[generation % 2];
+        const std::size_t vertex = generation % 2 == 0 ? (random() % 2) * 3 : 1 + random() % 2; // not the seam's
+        const Vec2 corner{vertex == 1 || vertex == 2 ? 0.2 : 0.0, vertex >= 2 ? 0.2 : 0.0};
+        piece.outline.vertices[vertex].position = corner + Vec2{shift(random), shift(random)};
+        scene.pattern.pieces[generation % 2] = piece;
+        runner.setScene(scene, generation);
+        if (generation % 50 == 0) runner.reset();
+        if (generation % 50 == 1) runner.play();
+        (void)runner.takeFrame();
+        if (generation % 5 == 0) QTest::qWait(2); // lets some scenes be sewn, not only replaced
+    }
+    const auto frame = waitForFrame(runner, [](const Frame& f) { return f.generation == 501; });
+    QVERIFY(frame);
+    QVERIFY(!frame->positions.empty());
+    for (const Vec3& p : frame->positions) QVERIFY(geometry::isFinite(p));
+}
+
+QTEST_GUILESS_MAIN(tst_Runner)
+#include "tst_Runner.moc"

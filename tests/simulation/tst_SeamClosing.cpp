@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SmallScenes.h"
+#include "core/dynamics/Energy.h"
+#include "core/simulation/SeamClosing.h"
+#include "core/simulation/Sew.h"
+
+#include <QtTest>
+#include <cstdio>
+
+using namespace toile;
+using namespace toile::simulation;
+
+class tst_SeamClosing : public QObject {
+    Q_OBJECT
+private slots:
+    void theAllowedGapGoesToZeroInItsTime();
+    void aLongGapTakesLonger();
+    void twoSquaresAreSewn();
+    void seamsOfAHigherOrderWait();
+    void sewingIsBitwiseRepeatable();
+};
+
+void tst_SeamClosing::theAllowedGapGoesToZeroInItsTime() {
+    const SeamPair pair{0, 1, 0.2, 1.0};
+    QCOMPARE(SeamClosing::allowedGap(pair, 0.5, {}), 0.2);
+    QCOMPARE(SeamClosing::allowedGap(pair, 1.3, {}), 0.1); // half-way of a ramp that is symmetric
+    QCOMPARE(SeamClosing::allowedGap(pair, 1.6, {}), 0.0);
+}
+
+void tst_SeamClosing::aLongGapTakesLonger() {
+    const SeamPair pair{0, 1, 10, 0}; // at 5 m/s and 1.5 times the mean speed: 3 s
+    QVERIFY(SeamClosing::allowedGap(pair, 2.9, {}) > 0);
+    QCOMPARE(SeamClosing::allowedGap(pair, 3.0, {}), 0.0);
+}
+
+/// Validation case V21: total momentum 0 stays 0, no kinetic energy is made at the merge, the gap is 0 after it, the
+/// centre of mass stays.
+void tst_SeamClosing::twoSquaresAreSewn() {
+    auto simulation = Simulation::create(twoSquares());
+    QVERIFY2(simulation, simulation ? "" : toString(simulation.error()).c_str());
+    const auto centreOfMass = [&] {
+        Vec3 sum;
+        double mass = 0;
+        const auto& model = simulation->garment().model;
+        for (int i = 0; i < model.particleCount(); ++i) {
+            sum += simulation->state().positions[i] * model.mass[i];
+            mass += model.mass[i];
+        }
+        return sum / mass;
+    };
+    const Vec3 start = centreOfMass();
+    double largestMomentum = 0, momentumScale = 0, kineticRise = 0, kineticBefore = 0;
+    for (int step = 0; step < 180 && !simulation->allSeamsMerged(); ++step) {
+        QVERIFY(simulation->advance());
+        const auto& model = simulation->garment().model;
+        largestMomentum = std::max(largestMomentum, length(dynamics::momentum(model, simulation->state())));
+        double scale = 0;
+        for (int i = 0; i < model.particleCount(); ++i) scale += model.mass[i] * length(simulation->state().velocities[i]);
+        momentumScale = std::max(momentumScale, scale);
+        const double kinetic = dynamics::energies(model, simulation->state(), {}).kinetic;
+        if (simulation->allSeamsMerged()) kineticRise = kinetic - kineticBefore;
+        kineticBefore = kinetic;
+    }
+    const bool merged = simulation->allSeamsMerged();
+    const double gap = simulation->gapOf(0).maximum;
+    const bool pass = merged && gap == 0 && largestMomentum <= 1e-12 * momentumScale && kineticRise <= 1e-12 &&
+                      geometry::distance(start, centreOfMass()) < 1e-12;
+    std::printf("V21 two squares, gap 0.2 m: momentum %.1e of sum |m v|, gap after merge %.0e, gap at merge %.2f mm %s\n",
+                largestMomentum / momentumScale, gap, 1000 * simulation->seams()[0].gapAtMerge, pass ? "PASS" : "FAIL");
+    QVERIFY(merged);
+    QCOMPARE(gap, 0.0);
+    QVERIFY(largestMomentum <= 1e-12 * momentumScale);
+    QVERIFY(kineticRise <= 1e-12);
+    QVERIFY(simulation->seams()[0].gapAtMerge <= 0.5e-3);
+    QVERIFY(geometry::distance(start, centreOfMass()) < 1e-12);
+}
+
+void tst_SeamClosing::seamsOfAHigherOrderWait() {
+    Scene scene = twoSquares();
+    pattern::Seam second = seamBetween("outer", "left", "e3", "right", "e1");
+    second.order = 1;
+    scene.pattern.seams.push_back(second);
+    auto simulation = Simulation::create(scene);
+    QVERIFY(simulation);
+    QVERIFY(simulation->advance());
+    const double start = simulation->gapOf(1).maximum;
+    while (!simulation->seams()[0].merged && simulation->state().time < 3) QVERIFY(simulation->advance());
+    QVERIFY(simulation->seams()[0].merged);
+    QVERIFY(!simulation->seams()[1].merged);
+    QVERIFY(simulation->gapOf(1).maximum < start); // the outer edges came along, no more
+    while (!simulation->seams()[1].merged && simulation->state().time < 6) QVERIFY(simulation->advance());
+    QVERIFY(simulation->seams()[1].merged);
+}
+
+void tst_SeamClosing::sewingIsBitwiseRepeatable() {
+    std::vector<std::string> hashes;
+    for (int run = 0; run < 2; ++run) {
+        auto simulation = Simulation::create(twoSquares());
+        const auto report = sew(*simulation, {.seconds = 1.0});
+        QVERIFY(report);
+        hashes.push_back(report->resultHash);
+    }
+    QCOMPARE(hashes[0], hashes[1]);
+}
+
+QTEST_APPLESS_MAIN(tst_SeamClosing)
+#include "tst_SeamClosing.moc"

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SmallScenes.h"
+#include "core/simulation/Simulation.h"
+
+#include <QtTest>
+#include <algorithm>
+
+using namespace toile;
+using namespace toile::simulation;
+
+/// What a scene does not need is neither built nor allocated, and is named with a reason.
+class tst_StepPlan : public QObject {
+    Q_OBJECT
+private slots:
+    void aLonePieceHasNoStage();
+    void aSeamBringsExactlyItsStage();
+    void aBodyBringsExactlyItsStage();
+    void aRegionBringsSlaves();
+    void bendingAndTwistGoWithoutStiffness();
+    void aMergedSeamLeavesAndSaysWhy();
+
+private:
+    static Scene lonePiece(double spacing = 0.05) {
+        Scene scene = twoSquares(spacing);
+        scene.pattern.pieces.pop_back();
+        scene.pattern.seams.clear();
+        return scene;
+    }
+    static std::vector<std::string> namesOf(const Simulation& simulation) {
+        std::vector<std::string> names;
+        for (const auto* stage : simulation.plan().stages()) names.emplace_back(stage->name());
+        return names;
+    }
+    static std::string reasonFor(const Simulation& simulation, const std::string& stage) {
+        const auto& left = simulation.plan().leftOut();
+        const auto found = std::ranges::find(left, stage, &LeftOut::stage);
+        return found == left.end() ? "" : found->why;
+    }
+    static body::Body box() {
+        body::Body body;
+        body.name = "box";
+        for (const double x : {-0.5, 0.5})
+            for (const double y : {0.0, 0.5})
+                for (const double z : {-0.5, 0.5}) body.mesh.vertices.push_back({x, y, z});
+        body.mesh.triangles = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
+                               {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+        return body;
+    }
+};
+
+void tst_StepPlan::aLonePieceHasNoStage() {
+    const auto simulation = Simulation::create(lonePiece());
+    QVERIFY(simulation);
+    QVERIFY(simulation->plan().stages().empty());
+    for (const char* stage : {"seams", "body contact", "self-contact"}) {
+        QVERIFY2(!reasonFor(*simulation, stage).empty(), stage);
+        QVERIFY(simulation->plan().find(stage) == nullptr);
+    }
+    QVERIFY(simulation->garment().model.slaves.empty());
+    QCOMPARE(simulation->garment().model.slaves.capacity(), std::size_t(0));
+    QCOMPARE(simulation->garment().model.hinges.capacity(), std::size_t(0));
+    QCOMPARE(simulation->garment().model.cells.capacity(), std::size_t(0));
+}
+
+void tst_StepPlan::aSeamBringsExactlyItsStage() {
+    const auto simulation = Simulation::create(twoSquares(0.05));
+    QVERIFY(simulation);
+    QCOMPARE(namesOf(*simulation), std::vector<std::string>{"seams"});
+    QVERIFY(simulation->plan().find("seams")->bytes() > 0);
+    QVERIFY(reasonFor(*simulation, "seams").empty());
+}
+
+void tst_StepPlan::aBodyBringsExactlyItsStage() {
+    Scene scene = lonePiece();
+    scene.body = Shared<body::Body>(box());
+    const auto simulation = Simulation::create(scene);
+    QVERIFY(simulation);
+    QCOMPARE(namesOf(*simulation), std::vector<std::string>{"body contact"});
+    QVERIFY(simulation->plan().find("body contact")->bytes() > 0);
+    QVERIFY(reasonFor(*simulation, "body contact").empty());
+}
+
+void tst_StepPlan::aRegionBringsSlaves() {
+    Scene scene = lonePiece(0.02); // fine enough for coarse rectangles beside the joint
+    pattern::Piece piece = *scene.pattern.pieces[0];
+    piece.spacing = 0.02; // coarse main cells about the region, and not border strips alone
+    pattern::Region region;
+    region.id = pattern::RegionId("r");
+    region.outline = {{-0.01, -0.01}, {0.1, -0.01}, {0.1, 0.21}, {-0.01, 0.21}};
+    piece.regions.push_back(region);
+    scene.pattern.pieces[0] = piece;
+    const auto simulation = Simulation::create(scene);
+    QVERIFY2(simulation, simulation ? "" : toString(simulation.error()).c_str());
+    QVERIFY(!simulation->garment().model.slaves.empty());
+    QVERIFY(reasonFor(*simulation, "slaves").empty());
+    QVERIFY(simulation->plan().stages().empty());
+}
+
+void tst_StepPlan::bendingAndTwistGoWithoutStiffness() {
+    Scene scene = lonePiece();
+    material::Fabric fabric = *scene.pattern.fabrics[0];
+    fabric.warpBending = fabric.weftBending = fabric.biasBending = 0;
+    scene.pattern.fabrics[0] = fabric;
+    const auto simulation = Simulation::create(scene);
+    QVERIFY(simulation);
+    QCOMPARE(simulation->garment().model.bending.capacity(), std::size_t(0));
+    QCOMPARE(simulation->garment().model.twist.capacity(), std::size_t(0));
+    QCOMPARE(reasonFor(*simulation, "bending"), std::string("no bending stiffness"));
+    QVERIFY(!reasonFor(*simulation, "twist").empty());
+}
+
+void tst_StepPlan::aMergedSeamLeavesAndSaysWhy() {
+    auto simulation = Simulation::create(twoSquares(0.05));
+    QVERIFY(simulation);
+    while (!simulation->allSeamsMerged() && simulation->state().time < 3) QVERIFY(simulation->advance());
+    QVERIFY(simulation->plan().stages().empty());
+    QCOMPARE(reasonFor(*simulation, "seams"), std::string("all seams are merged"));
+    QVERIFY(!simulation->garment().model.hinges.empty());
+    QVERIFY(reasonFor(*simulation, "seam hinges").empty());
+}
+
+QTEST_APPLESS_MAIN(tst_StepPlan)
+#include "tst_StepPlan.moc"

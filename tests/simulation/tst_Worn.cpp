@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/collision/BodySurface.h"
+#include "core/simulation/Worn.h"
+
+#include <QtTest>
+#include <cmath>
+#include <numbers>
+
+using namespace toile;
+using namespace toile::simulation;
+
+namespace {
+
+constexpr int around = 24;
+
+/// A ring of points round an upright line, with rising angle from +x to −z: counter-clockwise seen from above.
+void appendRing(std::vector<Vec3>& points, const Vec3& centre, double radius) {
+    for (int i = 0; i < around; ++i) {
+        const double angle = 2 * std::numbers::pi * i / around + 0.01; // no corner in a plane of symmetry
+        points.push_back(centre + Vec3{radius * std::cos(angle), 0, -radius * std::sin(angle)});
+    }
+}
+
+/// Triangles between two rings, seen from outside counter-clockwise when the second lies above the first.
+void appendBand(std::vector<std::array<int, 3>>& triangles, int lower, int upper) {
+    for (int i = 0; i < around; ++i) {
+        const int next = (i + 1) % around;
+        triangles.push_back({lower + i, lower + next, upper + i});
+        triangles.push_back({lower + next, upper + next, upper + i});
+    }
+}
+
+/// An upright open tube of cloth.
+Drape tube(const Vec3& foot, double height, double radius) {
+    Drape drape;
+    appendRing(drape.positions, foot, radius);
+    appendRing(drape.positions, foot + Vec3{0, height, 0}, radius);
+    appendBand(drape.triangles, 0, around);
+    drape.start = drape.positions;
+    return drape;
+}
+
+void append(Drape& drape, const Drape& more) {
+    const int first = static_cast<int>(drape.positions.size());
+    for (const auto& [a, b, c] : more.triangles) drape.triangles.push_back({a + first, b + first, c + first});
+    drape.positions.insert(drape.positions.end(), more.positions.begin(), more.positions.end());
+    drape.start.insert(drape.start.end(), more.start.begin(), more.start.end());
+}
+
+void appendColumn(geometry::TriangleMesh& mesh, const Vec3& foot, double height, double radius) {
+    const int first = static_cast<int>(mesh.vertices.size());
+    appendRing(mesh.vertices, foot, radius);
+    appendRing(mesh.vertices, foot + Vec3{0, height, 0}, radius);
+    std::vector<std::array<int, 3>> side;
+    appendBand(side, first, first + around);
+    for (int i = 1; i + 1 < around; ++i) {
+        side.push_back({first, first + i + 1, first + i});
+        side.push_back({first + around, first + around + i, first + around + i + 1});
+    }
+    mesh.triangles.insert(mesh.triangles.end(), side.begin(), side.end());
+}
+
+/// A trunk of 0.1 m radius, shoulders at 1.4 m, and an arm that hangs on either side of it, 0.3 m away.
+const body::Body& post() {
+    static const body::Body made = [] {
+        body::Body body{"post", {}, {}, {}};
+        appendColumn(body.mesh, {0, 0, 0}, 1.7, 0.1);
+        appendColumn(body.mesh, {0.3, 0.7, 0}, 0.7, 0.04);
+        appendColumn(body.mesh, {-0.3, 0.7, 0}, 0.7, 0.04);
+        body.landmarks.acromionLeft = {0.3, 1.4, 0};
+        body.landmarks.acromionRight = {-0.3, 1.4, 0};
+        body.landmarks.nape = {0, 1.45, -0.1};
+        // Neck and torso overlap, as a mannequin's do.
+        body.axes = {{body::Limb::neck, {{0, 1.3, 0}, {0, 1.4, 0.01}, {0, 1.9, 0}}},
+                     {body::Limb::torso, {{0, 1.4, 0}, {0, -0.2, 0}}},
+                     {body::Limb::leftArm, {{0.3, 1.4, 0}, {0.3, 0.5, 0}}},
+                     {body::Limb::rightArm, {{-0.3, 1.4, 0}, {-0.3, 0.5, 0}}}};
+        return body;
+    }();
+    return made;
+}
+
+WornReport verdictOn(const Drape& drape) {
+    static const collision::BodySurface surface = *collision::BodySurface::create(post().mesh);
+    return wornReport(drape, post(), surface);
+}
+
+bool says(const WornReport& report, const std::string& words) {
+    return std::ranges::any_of(report.why, [&](const std::string& why) { return why.find(words) != std::string::npos; });
+}
+
+/// A skirt: round the trunk between 0.6 and 1.0 m.
+Drape skirt() { return tube({0, 0.6, 0}, 0.4, 0.13); }
+
+} // namespace
+
+/// The verdict on shapes whose faults are put in by hand.
+class tst_Worn : public QObject {
+    Q_OBJECT
+private slots:
+    void aTubeRoundTheTrunkIsWorn();
+    void whereNeckAndTorsoOverlapAnOpeningIsCrossedOnce();
+    void aTubeRoundAnArmIsNamedAfterIt();
+    void aTubeBesideTheBodyIsNotWorn();
+    void aClosedBallIsNotWorn();
+    void aTubeRoundTrunkAndArmIsNotSound();
+    void twoTubesOnOneArmAreSaid();
+    void aSleevePlacedOnTheOtherSideIsSaid();
+    void insideOutIsSeen();
+    void theShareOfTheRightSideIsOfTheArea();
+    void aSeamSewnTheWrongWayRoundIsMeasured();
+    void aWaistThatSlidIsSaid();
+    void theBackNeckPointIsMeasuredToTheNape();
+    void mirrorPairsAreCompared();
+};
+
+void tst_Worn::aTubeRoundTheTrunkIsWorn() {
+    const WornReport report = verdictOn(skirt());
+    QVERIFY2(report.worn, report.why.empty() ? "" : report.why.front().c_str());
+    QCOMPARE(report.openings.size(), std::size_t(2));
+    for (const OpeningReport& opening : report.openings) {
+        QCOMPARE(opening.name, std::string("torso"));
+        QCOMPARE(opening.crossings, 1);
+        const double polygon = 2 * around * 0.13 * std::sin(std::numbers::pi / around);
+        QVERIFY(std::abs(opening.perimeter - polygon) < 1e-12);
+    }
+    QCOMPARE(report.rightSideOut, 1.0);
+    QCOMPARE(*report.waistDrop, 0.0);
+    QVERIFY(!report.napeDistance && !report.symmetryDifference);
+}
+
+void tst_Worn::whereNeckAndTorsoOverlapAnOpeningIsCrossedOnce() {
+    for (const OpeningReport& opening : verdictOn(tube({0, 1.2, 0}, 0.15, 0.13)).openings) QCOMPARE(opening.crossings, 1);
+}
+
+void tst_Worn::aTubeRoundAnArmIsNamedAfterIt() {
+    const WornReport left = verdictOn(tube({0.3, 0.8, 0}, 0.3, 0.06)), right = verdictOn(tube({-0.3, 0.8, 0}, 0.3, 0.06));
+    for (const OpeningReport& opening : left.openings) QCOMPARE(opening.name, std::string("left arm"));
+    for (const OpeningReport& opening : right.openings) QCOMPARE(opening.name, std::string("right arm"));
+}
+
+void tst_Worn::aTubeBesideTheBodyIsNotWorn() {
+    const WornReport report = verdictOn(tube({0, 0.6, 0.4}, 0.4, 0.13));
+    QVERIFY(!report.worn);
+    QVERIFY(says(report, "No limb passes through the opening at height 600 mm."));
+    QVERIFY(says(report, "No limb passes through the opening at height 1000 mm."));
+    QCOMPARE(report.openings[0].name, std::string("free edge"));
+}
+
+void tst_Worn::aClosedBallIsNotWorn() {
+    geometry::TriangleMesh bag;
+    appendColumn(bag, {0, 0.5, 0.4}, 0.3, 0.1);
+    QVERIFY(says(verdictOn({bag.triangles, bag.vertices, bag.vertices, {}}), "The garment has no opening."));
+}
+
+void tst_Worn::aTubeRoundTrunkAndArmIsNotSound() {
+    const WornReport report = verdictOn(tube({0, 0.8, 0}, 0.4, 0.5)); // round everything
+    QVERIFY(!report.worn);
+    QVERIFY(says(report, "The opening at height 800 mm is crossed 3 times (torso, left arm, right arm)."));
+}
+
+void tst_Worn::twoTubesOnOneArmAreSaid() {
+    Drape sleeves = tube({0.3, 0.75, 0}, 0.1, 0.06);
+    append(sleeves, tube({0.3, 1.0, 0}, 0.1, 0.06));
+    QVERIFY(says(verdictOn(sleeves), "The left arm passes through more than one opening."));
+}
+
+void tst_Worn::aSleevePlacedOnTheOtherSideIsSaid() {
+    Drape sleeve = tube({0.3, 0.8, 0}, 0.3, 0.06);
+    QVERIFY(!says(verdictOn(sleeve), "placed on the other side"));
+    for (Vec3& p : sleeve.start) p.x -= 0.6;
+    QVERIFY(says(verdictOn(sleeve), "The left arm is in an opening that was placed on the other side."));
+}
+
+void tst_Worn::insideOutIsSeen() {
+    Drape drape = skirt();
+    for (auto& triangle : drape.triangles) std::swap(triangle[1], triangle[2]);
+    const WornReport report = verdictOn(drape);
+    QCOMPARE(report.rightSideOut, 0.0);
+    QVERIFY(says(report, "Only 0.0 % of the cloth has its right side out."));
+}
+
+void tst_Worn::theShareOfTheRightSideIsOfTheArea() {
+    Drape drape = skirt();
+    Drape turned = tube({0, 0.3, 0}, 0.1, 0.13); // a quarter of the skirt's area, inside out
+    for (auto& triangle : turned.triangles) std::swap(triangle[1], triangle[2]);
+    append(drape, turned);
+    QVERIFY(std::abs(verdictOn(drape).rightSideOut - 0.8) < 1e-12);
+}
+
+void tst_Worn::aSeamSewnTheWrongWayRoundIsMeasured() {
+    Drape drape = skirt();
+    QCOMPARE(verdictOn(drape).turnedLength, 0.0);
+    for (std::size_t t = 0; t < 2; ++t) std::swap(drape.triangles[t][1], drape.triangles[t][2]); // one cell of the tube
+    const WornReport report = verdictOn(drape);
+    QVERIFY(std::abs(report.turnedLength - 2 * 0.4) < 1e-12); // both its upright edges
+    QVERIFY(says(report, "Right side is sewn to wrong side along 800 mm."));
+    QVERIFY(!report.worn);
+}
+
+void tst_Worn::aWaistThatSlidIsSaid() {
+    Drape drape = skirt();
+    for (Vec3& p : drape.start) p.y += 0.029;
+    QVERIFY(verdictOn(drape).worn);
+    for (Vec3& p : drape.start) p.y += 0.002;
+    const WornReport report = verdictOn(drape);
+    QVERIFY(std::abs(*report.waistDrop - 0.031) < 1e-12);
+    QVERIFY(says(report, "The uppermost opening lies 31.0 mm from the level it was placed at."));
+}
+
+void tst_Worn::theBackNeckPointIsMeasuredToTheNape() {
+    const Drape collar = tube({0, 1.2, 0}, 0.25, 0.11); // its upper edge lies at the nape's height
+    const WornReport report = verdictOn(collar);
+    QVERIFY(std::ranges::count(report.openings, "neck", &OpeningReport::name) == 1);
+    // The ring passes x = 0 behind between two corners of a 24-gon: at most r(1 − cos 7.5°) nearer than its radius.
+    QVERIFY(std::abs(*report.napeDistance - 0.010) < 0.11 * (1 - std::cos(std::numbers::pi / around)) + 1e-9);
+    QVERIFY(!report.waistDrop);
+}
+
+void tst_Worn::mirrorPairsAreCompared() {
+    Drape drape = skirt();
+    const int left = static_cast<int>(drape.positions.size()), right = left + 1;
+    drape.positions.insert(drape.positions.end(), {{0.13, 0.8, 0.01}, {-0.13, 0.8, 0.01}});
+    drape.start = drape.positions;
+    drape.mirrorPairs = {{left, right}};
+    QCOMPARE(*verdictOn(drape).symmetryDifference, 0.0);
+    drape.positions[right] += Vec3{0, 0.006, 0};
+    const WornReport report = verdictOn(drape);
+    QVERIFY(std::abs(*report.symmetryDifference - 0.006) < 1e-12);
+    QVERIFY(says(report, "Left and right differ by 6.0 mm."));
+}
+
+QTEST_APPLESS_MAIN(tst_Worn)
+#include "tst_Worn.moc"

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "UiFixtures.h"
+#include "ui/tools/EditSewing.h"
+#include "ui/tools/PaintRegion.h"
+#include "ui/tools/SewFree.h"
+#include "ui/tools/SewSegments.h"
+
+#include <QTest>
+
+using namespace toile;
+using namespace toile::ui;
+
+class tst_SewingTools : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void twoClicksSewTwoEdges();
+    void pickedEndsMeet_data();
+    void pickedEndsMeet();
+    void directionAndLengthsAreShownBeforeTheSecondClick();
+    void clickOnTheSeamJustMadeReversesIt();
+    void sewnEdgesAreRefused();
+    void escapeDropsTheFirstPick();
+    void freeSewingSewsTheStretches();
+    void freeSewingSnapsToEnds();
+    void aSideMayNotLeaveItsEdge();
+    void seamsAreSelectedReversedAndDeleted();
+
+    void cornersMakeARegion();
+    void aStrokeMakesARegion();
+    void aSecondStrokeGrowsTheRegionItTouches();
+    void anotherRefinementIsAnotherRegion();
+    void altTakesAway();
+    void controlWheelChangesTheBrush();
+    void paintingBesidePiecesIsRefused();
+};
+
+namespace {
+
+/// Where the parts of a seam begin on the table.
+std::array<Vec2, 2> beginnings(const Hand& hand, const pattern::Seam& seam) {
+    const FlatPattern flat = flattened(hand.document.pattern);
+    return {pathOf(flat, seam.sides[0].front()).front(), pathOf(flat, seam.sides[1].front()).front()};
+}
+
+/// The ends of both sides that meet where side one is lowest.
+double levelThatMeetsTheBottomOfSideOne(const Hand& hand) {
+    const FlatPattern flat = flattened(hand.document.pattern);
+    const pattern::Seam& seam = hand.document.pattern.seams.back();
+    const auto a = pathOf(flat, seam.sides[0].front()), b = pathOf(flat, seam.sides[1].front());
+    return a.front().y < a.back().y ? b.front().y : b.back().y;
+}
+
+} // namespace
+
+void tst_SewingTools::twoClicksSewTwoEdges() {
+    SewSegments tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.1, -0.1});
+    hand.click(tool, {0.2, -0.1});
+    QCOMPARE(hand.document.pattern.seams.size(), std::size_t(1));
+    const pattern::Seam& seam = hand.document.pattern.seams[0];
+    QCOMPARE(QString::fromStdString(seam.name), QStringLiteral("Front – Back"));
+    QVERIFY(hand.selection == Selection{seam.id});
+    QVERIFY(hand.message.contains(QStringLiteral("300.0 mm")));
+}
+
+void tst_SewingTools::pickedEndsMeet_data() {
+    QTest::addColumn<double>("first");
+    QTest::addColumn<double>("second");
+    QTest::addColumn<double>("meets");
+    QTest::newRow("bottom to bottom") << -0.12 << -0.12 << -0.15;
+    QTest::newRow("bottom to top") << -0.12 << 0.12 << 0.15;
+    QTest::newRow("top to top") << 0.12 << 0.12 << -0.15;
+    QTest::newRow("top to bottom") << 0.12 << -0.12 << 0.15;
+}
+
+void tst_SewingTools::pickedEndsMeet() {
+    QFETCH(double, first);
+    QFETCH(double, second);
+    QFETCH(double, meets);
+    SewSegments tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.1, first});
+    hand.click(tool, {0.2, second});
+    QCOMPARE(levelThatMeetsTheBottomOfSideOne(hand), meets);
+}
+
+void tst_SewingTools::directionAndLengthsAreShownBeforeTheSecondClick() {
+    SewSegments tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.1, -0.1});
+    hand.move(tool, {0.2, -0.1});
+    const Overlay overlay = hand.overlay(tool);
+    QVERIFY(overlay.arrows.size() >= 2);
+    QCOMPARE(overlay.labels.size(), std::size_t(1));
+    QVERIFY(overlay.labels[0].text.contains(QStringLiteral("difference 0.0 mm")));
+    QVERIFY(hand.document.pattern.seams.empty());
+}
+
+void tst_SewingTools::clickOnTheSeamJustMadeReversesIt() {
+    SewSegments tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.1, -0.1});
+    hand.click(tool, {0.2, -0.1});
+    const auto before = beginnings(hand, hand.document.pattern.seams[0]);
+    hand.click(tool, {0.2, 0.05});
+    QCOMPARE(hand.document.pattern.seams.size(), std::size_t(1));
+    const auto after = beginnings(hand, hand.document.pattern.seams[0]);
+    QVERIFY((before[0] == after[0]) != (before[1] == after[1])); // one of the sides begins at its other end now
+}
+
+void tst_SewingTools::sewnEdgesAreRefused() {
+    SewSegments tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.1, -0.1});
+    hand.click(tool, {0.2, -0.1});
+    SewSegments another;
+    hand.press(another, {0.1, -0.1});
+    QVERIFY(hand.refused);
+    QVERIFY(hand.message.contains(QStringLiteral("Front – Back")));
+    QCOMPARE(hand.document.pattern.seams.size(), std::size_t(1));
+}
+
+void tst_SewingTools::escapeDropsTheFirstPick() {
+    SewSegments tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.1, -0.1});
+    hand.key(tool, ToolKey::escape);
+    hand.click(tool, {0.2, -0.1});
+    QVERIFY(hand.document.pattern.seams.empty());
+}
+
+void tst_SewingTools::freeSewingSewsTheStretches() {
+    SewFree tool;
+    Hand hand{twoRectangles()};
+    for (const Vec2 at : {Vec2{0.1, -0.1}, {0.1, 0.05}, {0.2, -0.05}, {0.2, 0.1}}) hand.click(tool, at);
+    QCOMPARE(hand.document.pattern.seams.size(), std::size_t(1));
+    const FlatPattern flat = flattened(hand.document.pattern);
+    const pattern::Seam& seam = hand.document.pattern.seams[0];
+    QVERIFY(std::abs(lengthOf(pathOf(flat, seam.sides[0].front())) - 0.15) < 1e-6); // search along the edge
+    const auto begin = beginnings(hand, seam);
+    const bool low = begin[0].y < 0 && begin[1].y < 0;
+    const bool high = begin[0].y > 0 && begin[1].y > 0;
+    QVERIFY(low || high); // beginnings meet, whichever way the seam is walked
+}
+
+void tst_SewingTools::freeSewingSnapsToEnds() {
+    SewFree tool;
+    Hand hand{twoRectangles()};
+    for (const Vec2 at : {Vec2{0.1, -0.148}, {0.1, 0}, {0.2, -0.148}, {0.2, 0}}) hand.click(tool, at);
+    QCOMPARE(hand.document.pattern.seams.size(), std::size_t(1));
+    QCOMPARE(hand.document.pattern.seams[0].sides[0].front().from, 0.0);
+}
+
+void tst_SewingTools::aSideMayNotLeaveItsEdge() {
+    SewFree tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.1, -0.1});
+    hand.press(tool, {0.2, 0.1});
+    QVERIFY(hand.refused);
+}
+
+void tst_SewingTools::seamsAreSelectedReversedAndDeleted() {
+    SewSegments sew;
+    EditSewing tool;
+    Hand hand{twoRectangles()};
+    hand.click(sew, {0.1, -0.1});
+    hand.click(sew, {0.2, -0.1});
+    hand.selection = {};
+    hand.doubleClick(tool, {0.2, 0.02});
+    QVERIFY(hand.selection == Selection{hand.document.pattern.seams[0].id});
+    QCOMPARE(levelThatMeetsTheBottomOfSideOne(hand), 0.15);
+    hand.key(tool, ToolKey::erase);
+    QVERIFY(hand.document.pattern.seams.empty());
+}
+
+void tst_SewingTools::cornersMakeARegion() {
+    PaintOptions options{.refinement = 2};
+    PaintPolygon tool(options);
+    Hand hand{twoRectangles()};
+    for (const Vec2 at : {Vec2{0.25, -0.05}, {0.35, -0.05}, {0.35, 0.05}, {0.25, 0.05}, {0.25, -0.05}}) hand.click(tool, at);
+    QCOMPARE(hand.piece(1).regions.size(), std::size_t(1));
+    const pattern::Region& region = hand.piece(1).regions[0];
+    QCOMPARE(region.refinement, 2);
+    QVERIFY(std::abs(geometry::signedArea(region.outline) - 0.01) < 1e-12);
+    QVERIFY(hand.selection == (Selection{RegionRef{hand.piece(1).id, region.id}}));
+}
+
+void tst_SewingTools::aStrokeMakesARegion() {
+    PaintOptions options{.refinement = 1, .radius = 0.02};
+    PaintBrush tool(options);
+    Hand hand{twoRectangles()};
+    hand.drag(tool, {-0.05, 0}, {0.05, 0});
+    QCOMPARE(hand.piece(0).regions.size(), std::size_t(1));
+    const double area = geometry::signedArea(hand.piece(0).regions[0].outline);
+    const double exact = 0.1 * 0.04 + 3.14159265 * 0.02 * 0.02; // a stadium
+    QVERIFY(std::abs(area - exact) < 0.04 * exact);             // its border is within radius/50
+}
+
+void tst_SewingTools::aSecondStrokeGrowsTheRegionItTouches() {
+    PaintOptions options{.refinement = 1, .radius = 0.02};
+    PaintBrush tool(options);
+    Hand hand{twoRectangles()};
+    hand.drag(tool, {-0.05, 0}, {0.05, 0});
+    const double before = geometry::signedArea(hand.piece(0).regions[0].outline);
+    hand.drag(tool, {0, 0}, {0, 0.08});
+    QCOMPARE(hand.piece(0).regions.size(), std::size_t(1));
+    QVERIFY(geometry::signedArea(hand.piece(0).regions[0].outline) > before * 1.2);
+}
+
+void tst_SewingTools::anotherRefinementIsAnotherRegion() {
+    PaintOptions options{.refinement = 1, .radius = 0.02};
+    PaintBrush tool(options);
+    Hand hand{twoRectangles()};
+    hand.drag(tool, {-0.05, 0}, {0.05, 0});
+    options.refinement = 2;
+    hand.drag(tool, {-0.05, 0.1}, {0.05, 0.1});
+    QCOMPARE(hand.piece(0).regions.size(), std::size_t(2));
+    QCOMPARE(hand.piece(0).regions[1].refinement, 2);
+}
+
+void tst_SewingTools::altTakesAway() {
+    PaintOptions options{.refinement = 1, .radius = 0.02};
+    PaintBrush tool(options);
+    Hand hand{twoRectangles()};
+    hand.drag(tool, {-0.05, 0}, {0.05, 0});
+    const double before = geometry::signedArea(hand.piece(0).regions[0].outline);
+    options.radius = 0.01;
+    hand.drag(tool, {0.06, 0}, {0.04, 0}, {.alt = true});
+    QVERIFY(geometry::signedArea(hand.piece(0).regions[0].outline) < before);
+}
+
+void tst_SewingTools::controlWheelChangesTheBrush() {
+    PaintOptions options;
+    PaintBrush tool(options);
+    const double before = options.radius;
+    QVERIFY(tool.wheel(1));
+    QVERIFY(options.radius > before);
+}
+
+void tst_SewingTools::paintingBesidePiecesIsRefused() {
+    PaintOptions options;
+    PaintBrush tool(options);
+    Hand hand{twoRectangles()};
+    hand.press(tool, {1, 1});
+    QVERIFY(hand.refused);
+}
+
+QTEST_APPLESS_MAIN(tst_SewingTools)
+#include "tst_SewingTools.moc"

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "UiFixtures.h"
+#include "core/io/ToileFile.h"
+#include "ui/panels/PropertySheet.h"
+#include "ui/workbench/Workbench.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace toile;
+using namespace toile::ui;
+
+namespace {
+
+/// Remembers what it was told; frames are made by the test.
+struct FakeSimulation : Simulation {
+    struct Log {
+        std::vector<std::uint64_t> generations;
+        std::optional<simulation::Frame> frame;
+        bool playing = false;
+        int resets = 0;
+    };
+    explicit FakeSimulation(Log& l) : log(l) {}
+    void setScene(simulation::Scene, std::uint64_t generation) override { log.generations.push_back(generation); }
+    void play() override { log.playing = true; }
+    void pause() override { log.playing = false; }
+    void step() override {}
+    void reset() override { ++log.resets; }
+    bool isPlaying() const override { return log.playing; }
+    std::optional<simulation::Frame> takeFrame() override { return std::exchange(log.frame, std::nullopt); }
+    Log& log;
+};
+
+struct Fixture {
+    FakeSimulation::Log log;
+    std::atomic<int> meshed{0};
+    WorkbenchParts parts() {
+        WorkbenchParts result;
+        result.read = [](const std::string& file) { return io::readToile(file); };
+        result.write = [](const std::string& file, const document::Document& d) { return io::writeToile(d, file); };
+        result.mesh = [this](const pattern::Pattern& pattern) -> Result<meshing::GarmentMesh> {
+            ++meshed;
+            meshing::GarmentMesh mesh;
+            mesh.pieces.resize(pattern.pieces.size());
+            return mesh;
+        };
+        result.simulation = std::make_unique<FakeSimulation>(log);
+        result.recoveryDelay = std::chrono::milliseconds(1);
+        return result;
+    }
+};
+
+simulation::Frame frameOf(std::uint64_t generation) {
+    simulation::Frame frame;
+    frame.generation = generation;
+    frame.positions = {{0, 0, 0}};
+    return frame;
+}
+
+} // namespace
+
+class tst_Workbench : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void anEditMakesANewScene();
+    void movingOnTheTableMakesNoNewScene();
+    void olderFramesAreDropped();
+    void anotherDocumentBeginsAnew();
+    void meshesOfTheNewestPatternArrive();
+    void undoBringsTheValueBack();
+    void savingAndOpeningGivesTheSameDocument();
+    void modifiedMarkFollowsSaving();
+    void unsavedWorkIsRecovered();
+    void savedWorkLeavesNothingToRecover();
+    void selectionForgetsWhatIsDeleted();
+    void everyNumberOfASheetSetsWhatItShows();
+};
+
+void tst_Workbench::anEditMakesANewScene() {
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    const std::size_t before = fixture.log.generations.size();
+    bench.apply({QStringLiteral("Draw"), twoRectangles()});
+    QCOMPARE(fixture.log.generations.size(), before + 1);
+    QVERIFY(fixture.log.generations.back() == bench.generation());
+}
+
+void tst_Workbench::movingOnTheTableMakesNoNewScene() {
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    bench.apply({QStringLiteral("Draw"), twoRectangles()});
+    const std::size_t before = fixture.log.generations.size();
+    const auto& piece = bench.document().pattern.pieces[0]->id;
+    bench.apply({QStringLiteral("Move"), *document::edited(bench.document(), [&](const pattern::Pattern& p, pattern::IdSource&) {
+                     return movePiece(p, piece, {5, 5});
+                 })});
+    QCOMPARE(fixture.log.generations.size(), before);
+    QCOMPARE(bench.flat().pieces[0].piece.tablePosition.x, 5.0);
+}
+
+void tst_Workbench::olderFramesAreDropped() {
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    bench.apply({QStringLiteral("Draw"), twoRectangles()});
+    fixture.log.frame = frameOf(bench.generation() - 1);
+    bench.pollFrame();
+    QVERIFY(!bench.frame());
+    fixture.log.frame = frameOf(bench.generation());
+    bench.pollFrame();
+    QVERIFY(bench.frame());
+}
+
+void tst_Workbench::anotherDocumentBeginsAnew() {
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    bench.play();
+    const int resets = fixture.log.resets;
+    bench.startFrom(twoRectangles(), {}, false);
+    QVERIFY(!bench.isPlaying());
+    QCOMPARE(fixture.log.resets, resets + 1);
+}
+
+void tst_Workbench::meshesOfTheNewestPatternArrive() {
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    QSignalSpy changed(&bench, &Workbench::meshChanged);
+    document::Document document = twoRectangles();
+    for (int i = 0; i < 20; ++i) bench.apply({QStringLiteral("Draw"), document = withRectangle(document, "More", {0, double(i)}, 0.1, 0.1)});
+    QTRY_COMPARE(bench.mesh().size(), std::size_t(22)); // of all twenty only the newest is shown
+    QTest::qWait(20);
+    QCOMPARE(bench.mesh().size(), std::size_t(22));
+}
+
+void tst_Workbench::undoBringsTheValueBack() {
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    const document::Document before = bench.document();
+    bench.apply({QStringLiteral("Draw"), twoRectangles()});
+    bench.undo();
+    QVERIFY(bench.document() == before);
+    bench.redo();
+    QVERIFY(bench.document() == twoRectangles());
+}
+
+void tst_Workbench::savingAndOpeningGivesTheSameDocument() {
+    QTemporaryDir folder;
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    bench.apply({QStringLiteral("Draw"), twoRectangles()});
+    const document::Document drawn = *io::asWritten(bench.document());
+    QVERIFY(bench.saveAs(folder.filePath(QStringLiteral("two.toile"))));
+    bench.startNew();
+    QVERIFY(bench.open(folder.filePath(QStringLiteral("two.toile"))));
+    QVERIFY(bench.document() == drawn);
+}
+
+void tst_Workbench::modifiedMarkFollowsSaving() {
+    QTemporaryDir folder;
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    QVERIFY(!bench.isModified());
+    bench.apply({QStringLiteral("Draw"), twoRectangles()});
+    QVERIFY(bench.isModified());
+    QVERIFY(bench.saveAs(folder.filePath(QStringLiteral("two.toile"))));
+    QVERIFY(!bench.isModified());
+    bench.undo();
+    QVERIFY(bench.isModified());
+}
+
+void tst_Workbench::unsavedWorkIsRecovered() {
+    QTemporaryDir folder;
+    Fixture fixture;
+    WorkbenchParts parts = fixture.parts();
+    parts.recoveryFolder = folder.path();
+    auto first = std::make_unique<Workbench>(std::move(parts));
+    first->apply({QStringLiteral("Draw"), twoRectangles()});
+    const Journal probe(folder.path(), {});
+    QTRY_COMPARE(QDir(folder.path()).entryList({QStringLiteral("*.recovery.toile")}).size(), 1);
+    QVERIFY(probe.leftovers().empty()); // its writer still runs
+    first.reset();                      // ends without saving: the lock goes, the record stays
+    QCOMPARE(probe.leftovers().size(), std::size_t(1));
+
+    Fixture next;
+    Workbench bench(next.parts());
+    QVERIFY(bench.recover(probe.leftovers().front()));
+    QVERIFY(bench.document() == *io::asWritten(twoRectangles()));
+    QVERIFY(bench.isModified());
+    QVERIFY(probe.leftovers().empty());
+}
+
+void tst_Workbench::savedWorkLeavesNothingToRecover() {
+    QTemporaryDir folder;
+    Fixture fixture;
+    WorkbenchParts parts = fixture.parts();
+    parts.recoveryFolder = folder.path() + QStringLiteral("/recovery");
+    Workbench bench(std::move(parts));
+    bench.apply({QStringLiteral("Draw"), twoRectangles()});
+    const QDir recovery(folder.path() + QStringLiteral("/recovery"));
+    QTRY_COMPARE(recovery.entryList({QStringLiteral("*.toile")}).size(), 1);
+    QVERIFY(bench.saveAs(folder.filePath(QStringLiteral("two.toile"))));
+    QVERIFY(recovery.entryList({QStringLiteral("*.toile")}).isEmpty());
+}
+
+void tst_Workbench::selectionForgetsWhatIsDeleted() {
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    bench.apply({QStringLiteral("Draw"), twoRectangles()});
+    bench.select({bench.document().pattern.pieces[1]->id});
+    QCOMPARE(bench.selection().size(), std::size_t(1));
+    bench.undo();
+    QVERIFY(bench.selection().empty());
+}
+
+void tst_Workbench::everyNumberOfASheetSetsWhatItShows() {
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    bench.apply({QStringLiteral("Draw"), withRectangle(bench.document(), "Front", {0, 0}, 0.2, 0.3)});
+    const Selection things{bench.document().pattern.pieces[0]->id, bench.document().pattern.fabrics[0]->id, SceneItem{}};
+    int numbers = 0;
+    for (const Item& thing : things) {
+        const auto sheet = [&](const document::Document& d) {
+            return sheetOf({d, flattened(d.pattern), {thing}}, {});
+        };
+        const PropertySheet shownNow = sheet(bench.document());
+        for (std::size_t row = 0; row < shownNow.rows.size(); ++row) {
+            const auto* number = std::get_if<NumberRow>(&shownNow.rows[row].content);
+            if (!number) continue;
+            const double wanted = number->value == 0 ? std::min(0.25, number->high) : number->value * 1.125;
+            const DocumentResult after = number->set(bench.document(), wanted);
+            QVERIFY2(after, qPrintable(shownNow.rows[row].name));
+            const auto& now = std::get<NumberRow>(sheet(*after).rows[row].content);
+            QVERIFY2(std::abs(now.value - wanted) <= 1e-12 * std::abs(wanted), qPrintable(shownNow.rows[row].name));
+            ++numbers;
+        }
+    }
+    QVERIFY(numbers > 15);
+}
+
+QTEST_GUILESS_MAIN(tst_Workbench)
+#include "tst_Workbench.moc"

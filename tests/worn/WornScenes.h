@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/body/Mannequin.h"
+#include "core/simulation/Sew.h"
+#include "samples/Blouse.h"
+
+#include <QtTest>
+#include <algorithm>
+
+namespace toile::simulation {
+
+/// Made once for all tests of a program: it takes a second.
+inline const body::Mannequin& mannequin() {
+    static const body::Mannequin made = *body::makeMannequin({});
+    return made;
+}
+
+inline pattern::Pattern blouseAt(double spacing) {
+    return samples::blouse(mannequin().measurements, mannequin().body, {.spacing = spacing}).pattern;
+}
+
+inline Scene onMannequin(pattern::Pattern pattern) {
+    return {std::move(pattern), Shared<body::Body>(mannequin().body), {}};
+}
+
+/// The garment after so many simulated seconds, without the finish by statics: it does not have to be at rest.
+inline SewReport sewnFor(double seconds, const Scene& scene) {
+    auto simulation = Simulation::create(scene);
+    if (!simulation) qFatal("%s", toString(simulation.error()).c_str());
+    auto report = sew(*simulation, {.seconds = seconds});
+    if (!report) qFatal("%s", toString(report.error()).c_str());
+    return std::move(*report);
+}
+
+/// One of the reasons why the garment is not worn holds these words.
+inline bool says(const SewReport& report, const std::string& words) {
+    return std::ranges::any_of(report.worn->why, [&](const std::string& why) { return why.find(words) != std::string::npos; });
+}
+
+/// For the messages of failing tests.
+inline std::string reasonsOf(const SewReport& report) {
+    std::string all;
+    for (const std::string& why : report.worn->why) all += why + " ";
+    return all;
+}
+
+} // namespace toile::simulation

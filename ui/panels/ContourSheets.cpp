@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/DocumentEdits.h"
+#include "core/pattern/PatternContours.h"
+#include "core/pattern/PatternMeasures.h"
+#include "core/pattern/PatternRegions.h"
+#include "ui/panels/PropertySheet.h"
+#include "ui/values/Picking.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace toile::ui {
+namespace {
+
+using namespace pattern;
+using document::Document;
+
+QString tr(const char* text) { return QCoreApplication::translate("Properties", text); }
+
+/// An edit of core/pattern as a setter of a property: edit(pattern, value).
+auto setting(auto edit) {
+    return [edit](const Document& document, auto... value) -> DocumentResult {
+        return document::edited(document, [&](const Pattern& p, IdSource&) { return edit(p, value...); });
+    };
+}
+
+QString nameOf(const Desk& desk, const PieceId& id) {
+    const Piece* piece = findPiece(desk.document.pattern, id);
+    return piece ? QString::fromStdString(piece->name) : QString();
+}
+
+/// A curve that looks like the edge does now, in the wanted kind of shape.
+EdgeShape shapeOfKind(const geometry::Curve& curve, int kind) {
+    if (kind == 1) {
+        if (std::holds_alternative<geometry::LineShape>(curve.shape)) { // a line's handles lie on it: bow it a little
+            const Vec2 third = (curve.end - curve.start) / 3, bow = geometry::leftOf(third) * 0.3;
+            return geometry::CubicShape{curve.start + third + bow, curve.end - third + bow};
+        }
+        return cubicOf(curve);
+    }
+    if (kind == 2) {
+        const double chord = distance(curve.start, curve.end);
+        const Vec2 middle = geometry::pointAt(curve, 0.5);
+        const double rise = chord > 0 ? cross(curve.end - curve.start, middle - curve.start) / chord : 0;
+        return geometry::ArcShape{chord > 0 ? -2 * rise / chord : 0};
+    }
+    return geometry::LineShape{};
+}
+
+} // namespace
+
+PropertySheet edgeSheet(const Desk& desk, const EdgeRef& ref) {
+    PropertySheet sheet{tr("Edge"), {}};
+    const Piece* piece = findPiece(desk.document.pattern, ref.piece);
+    const Piece* owner = piece ? shapeOf(desk.document.pattern, *piece) : nullptr;
+    const auto place = owner ? findEdge(*owner, ref.edge) : std::nullopt;
+    if (!place) return sheet;
+    sheet.rows.push_back({QStringLiteral("piece"), tr("Piece"), FactRow{nameOf(desk, ref.piece)}});
+    sheet.rows.push_back({QStringLiteral("length"), tr("Length"), FactRow{textOf(Quantity::length, edgeLength(*owner, ref.edge))}});
+    if (piece->mirror) return sheet;
+    const geometry::Curve curve = curveOf(*owner, *place);
+    sheet.rows.push_back({QStringLiteral("shape"), tr("Shape"),
+                          ChoiceRow{{tr("Line"), tr("Curve"), tr("Arc")}, static_cast<int>(curve.shape.index()),
+                                    setting([ref, curve](const Pattern& p, int kind) {
+                                        return setEdgeShape(p, ref.piece, ref.edge, shapeOfKind(curve, kind));
+                                    })}});
+    const auto& allowance = loopOf(*owner, place->loop).edges[place->index].seamAllowance;
+    sheet.rows.push_back({QStringLiteral("ownAllowance"), tr("Own seam allowance"),
+                          FlagRow{allowance.has_value(), setting([ref, piece](const Pattern& p, bool on) {
+                                      const Piece* now = findPiece(p, ref.piece);
+                                      return setEdgeSeamAllowance(p, ref.piece, ref.edge,
+                                                                  on && now ? std::optional(now->seamAllowance) : std::nullopt);
+                                  })}});
+    if (allowance)
+        sheet.rows.push_back({QStringLiteral("seamAllowance"), tr("Seam allowance"),
+                              NumberRow{Quantity::length, *allowance, 0, 0.1, 1, setting([ref](const Pattern& p, double value) {
+                                            return setEdgeSeamAllowance(p, ref.piece, ref.edge, value);
+                                        })}});
+    return sheet;
+}
+
+PropertySheet vertexSheet(const Desk& desk, const VertexRef& ref) {
+    PropertySheet sheet{tr("Point"), {}};
+    const FlatPiece* piece = findPiece(desk.flat, ref.piece);
+    const auto position = positionOf(desk.flat, ref);
+    if (!piece || !position) return sheet;
+    sheet.rows.push_back({QStringLiteral("piece"), tr("Piece"), FactRow{nameOf(desk, ref.piece)}});
+    sheet.rows.push_back({QStringLiteral("angle"), tr("Corner"), FactRow{textOf(Quantity::angle, cornerAngle(piece->piece, ref.vertex))}});
+    if (piece->piece.mirror) return sheet;
+    const Vec2 at = *position - piece->piece.tablePosition;
+    const auto row = [&](const char* name, const QString& label, double value, bool isX) {
+        sheet.rows.push_back({QString::fromLatin1(name), label,
+                              NumberRow{Quantity::length, value, -10, 10, 1, setting([ref, at, isX](const Pattern& p, double v) {
+                                            return moveVertex(p, ref.piece, ref.vertex, isX ? Vec2{v, at.y} : Vec2{at.x, v});
+                                        })}});
+    };
+    row("x", tr("Across (x)"), at.x, true);
+    row("y", tr("Up (y)"), at.y, false);
+    return sheet;
+}
+
+PropertySheet regionSheet(const Document& document, const RegionRef& ref) {
+    PropertySheet sheet{tr("Region"), {}};
+    const Piece* piece = findPiece(document.pattern, ref.piece);
+    if (!piece) return sheet;
+    const auto region = std::ranges::find(piece->regions, ref.region, &Region::id);
+    if (region == piece->regions.end()) return sheet;
+    sheet.rows.push_back({QStringLiteral("name"), tr("Name"),
+                          TextRow{QString::fromStdString(region->name), setting([ref](const Pattern& p, const QString& name) {
+                                      return renameRegion(p, ref.piece, ref.region, name.toStdString());
+                                  })}});
+    ChoiceRow refinement;
+    for (int m = 0; m <= 5; ++m) refinement.choices << (m == 0 ? tr("as the main region") : tr("1/%1 of the main").arg(1 << m));
+    refinement.current = region->refinement;
+    refinement.set = setting([ref](const Pattern& p, int m) { return setRefinement(p, ref.piece, ref.region, m); });
+    sheet.rows.push_back({QStringLiteral("refinement"), tr("Spacing"), refinement, tr("ε_m/2^m")});
+    sheet.rows.push_back({QStringLiteral("spacing"), tr("Particle distance"),
+                          FactRow{textOf(Quantity::length, piece->spacing / std::exp2(region->refinement))}});
+    sheet.rows.push_back({QStringLiteral("area"), tr("Area"),
+                          FactRow{textOf(Quantity::area, std::abs(geometry::signedArea(region->outline)))}});
+    sheet.rows.push_back({QStringLiteral("stiffnessHeading"), tr("Stiffness, as a factor"), HeadingRow{}});
+    const auto factor = [&](const char* name, const QString& label, double StiffnessFactors::*field) {
+        const StiffnessFactors now = region->stiffness;
+        sheet.rows.push_back({QString::fromLatin1(name), label,
+                              NumberRow{Quantity::factor, now.*field, 0.01, 1000, 0.5, setting([ref, now, field](const Pattern& p, double value) {
+                                            StiffnessFactors next = now;
+                                            next.*field = value;
+                                            return setStiffness(p, ref.piece, ref.region, next);
+                                        })}});
+    };
+    factor("stretch", tr("Stretch"), &StiffnessFactors::stretch);
+    factor("shear", tr("Shear"), &StiffnessFactors::shear);
+    factor("bending", tr("Bending"), &StiffnessFactors::bending);
+    sheet.rows.push_back({QStringLiteral("remove"), tr("Delete region"), ActionRow{setting([ref](const Pattern& p) {
+                              return removeRegion(p, ref.piece, ref.region);
+                          })}});
+    return sheet;
+}
+
+} // namespace toile::ui

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/DocumentEdits.h"
+#include "core/pattern/PatternFabrics.h"
+#include "core/pattern/PatternPieces.h"
+#include "core/pattern/PatternPlacement.h"
+#include "ui/panels/PropertySheet.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace toile::ui {
+namespace {
+
+using namespace pattern;
+using document::Document;
+
+QString tr(const char* text) { return QCoreApplication::translate("Properties", text); }
+
+/// An edit of core/pattern with the piece's id as a setter of a property.
+auto setting(const PieceId& id, auto edit) {
+    return [id, edit](const Document& document, auto value) -> DocumentResult {
+        return document::edited(document, [&](const Pattern& p, IdSource&) { return edit(p, id, value); });
+    };
+}
+
+Placement placementOf(const Piece& piece) { return piece.placement.value_or(Placement{}); }
+
+/// Direction of the right side round the vertical, 0 = towards +z.
+double turnOf(const Transform& transform) { return std::atan2(transform.axisZ.x, transform.axisZ.z); }
+
+/// A setter that changes the placement the piece has, or the one at the origin that it gets now.
+auto placing(const PieceId& id, auto change) {
+    return setting(id, [change](const Pattern& p, const PieceId& piece, auto value) {
+        const Piece* now = findPiece(p, piece);
+        Placement placement = now ? placementOf(*now) : Placement{};
+        change(placement, value);
+        return setPlacement(p, piece, placement);
+    });
+}
+
+/// Turned about the vertical through the piece's origin.
+Transform turned(const Transform& transform, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const auto turn = [&](const Vec3& v) { return Vec3{c * v.x + s * v.z, v.y, c * v.z - s * v.x}; };
+    return {turn(transform.axisX), turn(transform.axisY), turn(transform.axisZ), transform.origin};
+}
+
+PropertyRow originRow(const Piece& piece, int axis, const QString& label) {
+    return {QStringLiteral("placement%1").arg(axis), label,
+            NumberRow{Quantity::length, placementOf(piece).transform.origin[axis], -10, 10, 10,
+                      placing(piece.id, [axis](Placement& p, double value) { p.transform.origin[axis] = value; })}};
+}
+
+void addPlacementRows(PropertySheet& sheet, const Piece& piece) {
+    const Placement placement = placementOf(piece);
+    sheet.rows.push_back({QStringLiteral("placementHeading"), tr("Placement round the body"), HeadingRow{}});
+    sheet.rows.push_back(originRow(piece, 0, tr("To the left (x)")));
+    sheet.rows.push_back(originRow(piece, 1, tr("Height (y)")));
+    sheet.rows.push_back(originRow(piece, 2, tr("To the front (z)")));
+    sheet.rows.push_back({QStringLiteral("placementTurn"), tr("Turned"),
+                          NumberRow{Quantity::angle, turnOf(placement.transform), -std::numbers::pi, std::numbers::pi, 5,
+                                    placing(piece.id, [](Placement& p, double angle) {
+                                        p.transform = turned(p.transform, angle - turnOf(p.transform));
+                                    })},
+                          tr("About the vertical; 0 faces the front, 180 the back.")});
+    sheet.rows.push_back({QStringLiteral("curled"), tr("Curled"),
+                          FlagRow{placement.curl.has_value(), placing(piece.id, [](Placement& p, bool on) {
+                                      p.curl = on ? std::optional<Curl>({{0, 1}, 0.15}) : std::nullopt;
+                                  })},
+                          tr("Rolled round an upright line before it is placed.")});
+    if (!placement.curl) return;
+    sheet.rows.push_back({QStringLiteral("curlRadius"), tr("Curl radius"),
+                          NumberRow{Quantity::length, placement.curl->radius, 0.01, 5, 5,
+                                    placing(piece.id, [](Placement& p, double radius) {
+                                        if (p.curl) p.curl->radius = radius;
+                                    })}});
+}
+
+void addMeshFacts(PropertySheet& sheet, const Document& document, const Piece& piece, const meshing::MeshReport& mesh) {
+    const auto& pieces = document.pattern.pieces;
+    const auto at = std::ranges::find_if(pieces, [&](const auto& p) { return p->id == piece.id; }) - pieces.begin();
+    if (static_cast<std::size_t>(at) >= mesh.pieces.size()) return;
+    const meshing::PieceReport& report = mesh.pieces[at];
+    sheet.rows.push_back({QStringLiteral("meshHeading"), tr("Mesh"), HeadingRow{}});
+    sheet.rows.push_back({QStringLiteral("meshNodes"), tr("Nodes"), FactRow{QString::number(report.nodes)}});
+    sheet.rows.push_back({QStringLiteral("meshQuads"), tr("Quads, triangles"),
+                          FactRow{tr("%1, %2").arg(report.quads).arg(report.triangles)}});
+    sheet.rows.push_back({QStringLiteral("meshAngle"), tr("Smallest angle"),
+                          FactRow{textOf(Quantity::angle, report.minimumAngle)}});
+}
+
+} // namespace
+
+PropertySheet pieceSheet(const Document& document, const Piece& piece, const meshing::MeshReport& mesh) {
+    PropertySheet sheet{tr("Piece"), {}};
+    const auto text = [](const std::string& s) { return QString::fromStdString(s); };
+    sheet.rows.push_back({QStringLiteral("name"), tr("Name"),
+                          TextRow{text(piece.name), setting(piece.id, [](const Pattern& p, const PieceId& id, const QString& name) {
+                                      return renamePiece(p, id, name.toStdString());
+                                  })}});
+    if (piece.mirror) {
+        const Piece* source = findPiece(document.pattern, piece.mirror->source);
+        sheet.rows.push_back({QStringLiteral("mirror"), tr("Mirror image of"),
+                              FactRow{source ? text(source->name) : tr("a missing piece"), !source}});
+    }
+    ChoiceRow fabric;
+    for (const auto& item : document.pattern.fabrics) {
+        if (item->id == piece.fabric) fabric.current = static_cast<int>(fabric.choices.size());
+        fabric.choices << text(item->name);
+    }
+    std::vector<FabricId> fabrics;
+    for (const auto& item : document.pattern.fabrics) fabrics.push_back(item->id);
+    if (!findFabric(document.pattern, piece.fabric)) fabric.current = -1;
+    fabric.set = setting(piece.id, [fabrics](const Pattern& p, const PieceId& id, int index) -> Result<Pattern> {
+        if (index < 0 || index >= static_cast<int>(fabrics.size())) return p;
+        return setPieceFabric(p, id, fabrics[index]);
+    });
+    sheet.rows.push_back({QStringLiteral("fabric"), tr("Fabric"), fabric});
+    sheet.rows.push_back({QStringLiteral("spacing"), tr("Particle distance"),
+                          NumberRow{Quantity::length, piece.spacing, 0.001, 0.2, 1,
+                                    setting(piece.id, setSpacing)},
+                          tr("ε_m, the spacing of the main region: smaller is finer and slower.")});
+    if (!piece.mirror)
+        sheet.rows.push_back({QStringLiteral("grain"), tr("Grain"),
+                              NumberRow{Quantity::angle, piece.grain, -std::numbers::pi, std::numbers::pi, 5,
+                                        setting(piece.id, setGrain)},
+                              tr("Direction of warp from upright, counter-clockwise.")});
+    sheet.rows.push_back({QStringLiteral("rule"), tr("Scan lines"),
+                          ChoiceRow{{tr("Regular grid"), tr("Through features"), tr("Through every point (Liu 2002)")},
+                                    static_cast<int>(piece.rule), setting(piece.id, [](const Pattern& p, const PieceId& id, int index) {
+                                        return setLineRule(p, id, static_cast<LineRule>(index));
+                                    })}});
+    sheet.rows.push_back({QStringLiteral("border"), tr("Region borders"),
+                          ChoiceRow{{tr("Snap to main cells"), tr("Exact")}, static_cast<int>(piece.border),
+                                    setting(piece.id, [](const Pattern& p, const PieceId& id, int index) {
+                                        return setRegionBorder(p, id, static_cast<RegionBorder>(index));
+                                    })}});
+    sheet.rows.push_back({QStringLiteral("seamAllowance"), tr("Seam allowance"),
+                          NumberRow{Quantity::length, piece.seamAllowance, 0, 0.1, 1,
+                                    setting(piece.id, setSeamAllowance)}});
+    addPlacementRows(sheet, piece);
+    addMeshFacts(sheet, document, piece, mesh);
+    return sheet;
+}
+
+} // namespace toile::ui

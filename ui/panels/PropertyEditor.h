@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/panels/PropertySheet.h"
+#include "ui/workbench/Workbench.h"
+
+#include <QScrollArea>
+
+class QFormLayout;
+class QLabel;
+
+namespace toile::ui {
+
+/// Shows the sheet of what is selected. Each change is one step of the document; widgets hold nothing themselves and are
+/// made anew when the sheet's shape changes.
+class PropertyEditor : public QScrollArea {
+    Q_OBJECT
+public:
+    explicit PropertyEditor(Workbench& workbench, QWidget* parent = nullptr);
+
+private:
+    void refresh();
+    void rebuild();
+    void fillIn();
+    [[nodiscard]] QWidget* widgetFor(std::size_t row);
+    void apply(std::size_t row, const DocumentResult& result);
+
+    Workbench& workbench_;
+    PropertySheet sheet_;
+    std::vector<QWidget*> widgets_; ///< by row of the sheet
+    bool filling_ = false;
+};
+
+} // namespace toile::ui

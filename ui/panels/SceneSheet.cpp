@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/DocumentEdits.h"
+#include "ui/panels/PropertySheet.h"
+
+#include <QCoreApplication>
+
+namespace toile::ui {
+namespace {
+
+using document::Document;
+using simulation::SceneSettings;
+
+QString tr(const char* text) { return QCoreApplication::translate("Properties", text); }
+
+auto setting(auto change) {
+    return [change](const Document& document, auto value) -> DocumentResult {
+        SceneSettings scene = document.scene;
+        change(scene, value);
+        return document::withScene(document, scene);
+    };
+}
+
+} // namespace
+
+PropertySheet sceneSheet(const Document& document) {
+    PropertySheet sheet{tr("Scene"), {}};
+    const SceneSettings& scene = document.scene;
+    const auto number = [&](const char* name, const QString& label, Quantity quantity, double SceneSettings::*field,
+                            double low, double high, double step, const QString& tip = {}) {
+        sheet.rows.push_back({QString::fromLatin1(name), label,
+                              NumberRow{quantity, scene.*field, low, high, step,
+                                        setting([field](SceneSettings& s, double value) { s.*field = value; })},
+                              tip});
+    };
+    const QString avatar = QString::fromStdString(document.avatarFile);
+    sheet.rows.push_back({QStringLiteral("avatar"), tr("Avatar"), FactRow{avatar.isEmpty() ? tr("none") : avatar}});
+    sheet.rows.push_back({QStringLiteral("gravity"), tr("Gravity"),
+                          NumberRow{Quantity::acceleration, -scene.gravity.y, -100, 100, 0.5,
+                                    setting([](SceneSettings& s, double value) { s.gravity = {0, -value, 0}; })},
+                          tr("Downward.")});
+    number("damping", tr("Damping"), Quantity::damping, &SceneSettings::damping, 0, 100, 0.1,
+           tr("Mass-proportional: how soon the cloth comes to rest."));
+    number("skinOffset", tr("Skin offset"), Quantity::length, &SceneSettings::skinOffset, 0, 0.05, 0.5,
+           tr("Distance of the cloth's underside to the body; lower it only at the end."));
+    number("bodyFriction", tr("Body friction"), Quantity::factor, &SceneSettings::bodyFriction, 0, 2, 0.05);
+    number("seamTime", tr("Seam time"), Quantity::time, &SceneSettings::seamTime, 0.01, 30, 0.1,
+           tr("In which the seams are drawn together."));
+    sheet.rows.push_back({QStringLiteral("selfContact"), tr("Self-contact"),
+                          FlagRow{scene.selfContact, setting([](SceneSettings& s, bool on) { s.selfContact = on; })}});
+    return sheet;
+}
+
+} // namespace toile::ui

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/EditSewing.h"
+
+#include "core/document/DocumentEdits.h"
+#include "core/pattern/PatternSeams.h"
+#include "ui/values/Picking.h"
+
+#include <QCoreApplication>
+
+namespace toile::ui {
+namespace {
+
+using namespace pattern;
+
+QString tr(const char* text) { return QCoreApplication::translate("Sewing", text); }
+
+std::optional<SeamId> under(const Desk& desk, const PointerEvent& event) {
+    return seamAt(desk.document.pattern, desk.flat, event.position, event.tolerance);
+}
+
+} // namespace
+
+Effect EditSewing::press(const Desk& desk, const PointerEvent& event) {
+    if (event.button != Button::left) return {};
+    const auto seam = under(desk, event);
+    Effect effect;
+    if (seam && event.modifiers.shift) effect.selection = toggled(desk.selection, *seam);
+    else effect.selection = seam ? Selection{*seam} : Selection{};
+    return effect;
+}
+
+Effect EditSewing::move(const Desk& desk, const PointerEvent& event) {
+    hovered_ = under(desk, event);
+    return {};
+}
+
+Effect EditSewing::doubleClick(const Desk& desk, const PointerEvent& event) {
+    const auto seam = under(desk, event);
+    if (!seam) return {};
+    return effectOf(tr("Reverse seam"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
+        return reverseSeam(pattern, *seam);
+    }));
+}
+
+Effect EditSewing::key(const Desk& desk, ToolKey key) {
+    Effect effect;
+    if (key == ToolKey::escape) effect.selection = Selection{};
+    if (key != ToolKey::erase && key != ToolKey::backspace) return effect;
+    const auto* seam = lastOf<SeamId>(desk.selection);
+    if (!seam) return {};
+    return effectOf(tr("Delete seam"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
+        Result<Pattern> result = pattern;
+        for (const Item& item : desk.selection)
+            if (const auto* doomed = std::get_if<SeamId>(&item); doomed && result) result = removeSeam(*result, *doomed);
+        return result;
+    }));
+}
+
+std::vector<Item> EditSewing::hovered() const {
+    return hovered_ ? std::vector<Item>{*hovered_} : std::vector<Item>{};
+}
+
+QString EditSewing::hint() const { return tr("Click a seam to select it; double-click reverses it, Delete takes it out."); }
+
+} // namespace toile::ui

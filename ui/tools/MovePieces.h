@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/tools/Tool.h"
+
+namespace toile::ui {
+
+/// Selects pieces and moves them on the table; Delete takes them out. Shape and drape do not change.
+class MovePieces : public Tool {
+public:
+    Effect press(const Desk& desk, const PointerEvent& event) override;
+    Effect move(const Desk& desk, const PointerEvent& event) override;
+    Effect release(const Desk& desk, const PointerEvent& event) override;
+    Effect doubleClick(const Desk&, const PointerEvent&) override { return {}; }
+    Effect key(const Desk& desk, ToolKey key) override;
+    void cancel() override;
+    [[nodiscard]] std::vector<Item> hovered() const override;
+    [[nodiscard]] QString hint() const override;
+
+private:
+    struct Drag {
+        Vec2 pressedAt, last; ///< last: how far the pieces were moved
+        bool started = false;
+    };
+    std::optional<Drag> drag_;
+    std::optional<pattern::PieceId> hovered_;
+    int drags_ = 0;
+};
+
+} // namespace toile::ui

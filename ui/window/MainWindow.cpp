@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/MainWindow.h"
+
+#include "ui/panels/ObjectList.h"
+#include "ui/panels/PropertyEditor.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSplitter>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace toile::ui {
+
+MainWindow::MainWindow(Workbench& workbench, WindowParts parts, QWidget* parent)
+    : QMainWindow(parent), workbench_(workbench), parts_(std::move(parts)) {
+    setObjectName(QStringLiteral("mainWindow"));
+    files_ = new FileCommands(workbench, *this, parts_.writeDrape, parts_.sampleFolders);
+    makeViews();
+    makeActions();
+    makeMenus();
+    makeToolBars();
+    connectWorkbench();
+    useTool(QStringLiteral("tool.transform"));
+    resize(1500, 920);
+}
+
+void MainWindow::makeViews() {
+    view3D_ = new View3D;
+    view3D_->setObjectName(QStringLiteral("view3D"));
+    pattern_ = new PatternView(workbench_);
+    options_ = new ToolOptions(tools_.paint);
+    auto* patternSide = new QWidget;
+    auto* column = new QVBoxLayout(patternSide);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(options_);
+    column->addWidget(pattern_, 1);
+
+    auto* panels = new QSplitter(Qt::Vertical);
+    panels->addWidget(new ObjectList(workbench_));
+    panels->addWidget(new PropertyEditor(workbench_));
+    panels->setStretchFactor(0, 2);
+    panels->setStretchFactor(1, 3);
+    panels->setMinimumWidth(240);
+    panels->setChildrenCollapsible(false);
+
+    auto* sides = new QSplitter(Qt::Horizontal);
+    sides->setObjectName(QStringLiteral("sides"));
+    for (QWidget* part : std::initializer_list<QWidget*>{view3D_, patternSide, panels}) sides->addWidget(part);
+    sides->setStretchFactor(0, 5);
+    sides->setStretchFactor(1, 7);
+    sides->setStretchFactor(2, 0);
+    sides->setSizes({540, 680, 280});
+    sides->setChildrenCollapsible(false);
+    setCentralWidget(sides);
+    status_ = new StatusLine;
+    setStatusBar(status_);
+    link_ = new SceneLink(workbench_, *view3D_, this);
+}
+
+void MainWindow::makeActions() {
+    for (const auto& table : {fileActions(), editActions(), viewActions(), simulationActions(), toolActions()})
+        actions_.add(*this, table);
+    auto* tools = new QActionGroup(this);
+    for (const ToolBox::Entry& entry : tools_.entries()) tools->addAction(actions_[entry.id]);
+    const PatternLook look = pattern_->look();
+    const picture::RenderOptions render = view3D_->scene().options;
+    for (const auto& [id, on] : std::initializer_list<std::pair<const char*, bool>>{
+             {"look.mesh", look.mesh}, {"look.regions", look.regions}, {"look.seams", look.seams},
+             {"look.names", look.names}, {"look.grid", look.grid}, {"look3d.body", render.body},
+             {"look3d.meshLines", render.meshLines}, {"look3d.seams", render.seams}, {"look3d.regions", render.regions}})
+        actions_[QLatin1String(id)]->setChecked(on);
+}
+
+void MainWindow::makeMenus() {
+    const auto menu = [this](const QString& title, const QStringList& ids) {
+        QMenu* made = menuBar()->addMenu(title);
+        actions_.fill(*made, ids);
+        return made;
+    };
+    QStringList tools;
+    for (const ToolBox::Entry& entry : tools_.entries()) tools << entry.id;
+    QMenu* file = menu(tr("&File"), {"file.new", "file.open"});
+    auto* recent = file->addMenu(tr("Open &recent"));
+    auto* samples = file->addMenu(tr("Sa&mples"));
+    samples->setObjectName(QStringLiteral("samplesMenu"));
+    connect(recent, &QMenu::aboutToShow, this, [this, recent] { files_->fillRecent(*recent); });
+    connect(samples, &QMenu::aboutToShow, this, [this, samples] { files_->fillSamples(*samples); });
+    actions_.fill(*file, {"-", "file.save", "file.saveAs", "file.exportDrape", "-", "file.quit"});
+    QMenu* edit = menu(tr("&Edit"), {"edit.undo", "edit.redo", "-", "edit.delete", "edit.layOut"});
+    actions_.fill(*edit->addMenu(tr("&Place selected pieces")), {"place.front", "place.back", "place.left", "place.right"});
+    menu(tr("&Tools"), tools);
+    menu(tr("&View"), {"view.fitAll", "view.fitSelection", "view.zoomIn", "view.zoomOut", "-", "view.front", "view.back",
+                       "view.left", "view.right", "view.top", "-", "look.mesh", "look.regions", "look.seams", "look.names",
+                       "look.grid", "-", "look3d.body", "look3d.meshLines", "look3d.seams", "look3d.regions"});
+    menu(tr("&Avatar"), {"avatar.mannequin", "avatar.import", "avatar.remove"});
+    menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset"});
+    menu(tr("&Help"), {"help.about"});
+}
+
+void MainWindow::makeToolBars() {
+    QToolBar* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("toolBar"));
+    bar->setMovable(false);
+    bar->setIconSize({22, 22});
+    actions_.fill(*bar, {"file.new", "file.open", "file.save", "-", "edit.undo", "edit.redo", "-", "simulation.play",
+                         "simulation.step", "simulation.reset", "-", "tool.transform", "tool.editPoints", "tool.drawPiece",
+                         "tool.internalLine", "-", "tool.paintPolygon", "tool.paintBrush", "-", "tool.sewSegments",
+                         "tool.sewFree", "tool.editSewing", "-", "look.mesh", "view.fitAll"});
+}
+
+void MainWindow::connectWorkbench() {
+    connect(&workbench_, &Workbench::fileChanged, this, &MainWindow::showTitle);
+    connect(&workbench_, &Workbench::documentChanged, this, &MainWindow::showHistory);
+    connect(&workbench_, &Workbench::documentReplaced, this, [this] { pattern_->fitAll(); });
+    connect(&workbench_, &Workbench::messageChanged, status_, &StatusLine::tell);
+    const auto showFrame = [this] {
+        status_->showFrame(workbench_.frame() ? &*workbench_.frame() : nullptr, workbench_.isPlaying());
+    };
+    connect(&workbench_, &Workbench::frameArrived, this, showFrame);
+    connect(&workbench_, &Workbench::playingChanged, this, [this, showFrame] {
+        showFrame();
+        QAction* play = actions_["simulation.play"];
+        play->setChecked(workbench_.isPlaying());
+        play->setIcon(QIcon(workbench_.isPlaying() ? QStringLiteral(":/icons/pause.svg") : QStringLiteral(":/icons/play.svg")));
+    });
+    connect(pattern_, &PatternView::pointerMoved, status_, &StatusLine::showPointer);
+    connect(pattern_, &PatternView::toolMoved, this, &MainWindow::showTool);
+    connect(pattern_, &PatternView::menuWanted, this, &MainWindow::showMenu);
+    showTitle();
+    showHistory();
+}
+
+void MainWindow::useTool(const QString& id) {
+    tool_ = id;
+    actions_[id]->setChecked(true);
+    pattern_->setTool(tools_.entry(id).tool.get());
+    pattern_->setFocus();
+    showTool();
+}
+
+void MainWindow::showTool() {
+    const ToolBox::Entry& entry = tools_.entry(tool_);
+    options_->show(entry.text, entry.tool->hint(), entry.paints);
+}
+
+void MainWindow::showTitle() {
+    const QString name = workbench_.path().isEmpty() ? tr("Untitled") : QFileInfo(workbench_.path()).fileName();
+    setWindowTitle(tr("%1[*] – Toile").arg(name));
+    setWindowModified(workbench_.isModified());
+}
+
+void MainWindow::showHistory() {
+    const document::History& history = workbench_.history();
+    const auto show = [this](const char* id, bool enabled, const QString& text, const std::string& step) {
+        QAction* action = actions_[QLatin1String(id)];
+        action->setEnabled(enabled);
+        action->setText(step.empty() ? text : tr("%1 “%2”").arg(text, QString::fromStdString(step)));
+    };
+    show("edit.undo", history.canUndo(), tr("&Undo"), history.undoName());
+    show("edit.redo", history.canRedo(), tr("&Redo"), history.redoName());
+    actions_["avatar.remove"]->setEnabled(!workbench_.document().avatarFile.empty());
+}
+
+/// What can be done with what is under the pointer: the actions of its property sheet.
+void MainWindow::showMenu(const Selection& under, QPoint globalPosition) {
+    QMenu menu(this);
+    for (const Item& item : under) {
+        const PropertySheet sheet = sheetOf({workbench_.document(), workbench_.flat(), {item}}, workbench_.meshReport());
+        menu.addAction(tr("Select %1").arg(sheet.title.toLower()), this, [this, item] { workbench_.select({item}); });
+        for (const PropertyRow& row : sheet.rows) {
+            const auto* action = std::get_if<ActionRow>(&row.content);
+            if (!action) continue;
+            menu.addAction(QStringLiteral("    ") + row.label, this, [this, act = action->act, label = row.label] {
+                workbench_.take(effectOf(label, act(workbench_.document())));
+            });
+        }
+    }
+    if (!under.empty()) menu.addSeparator();
+    if (!under.empty() && std::holds_alternative<pattern::PieceId>(under.back())) {
+        if (!contains(workbench_.selection(), under.back())) workbench_.select({under.back()});
+        actions_.fill(*menu.addMenu(tr("Place piece")), {"place.front", "place.back", "place.left", "place.right"});
+    }
+    actions_.fill(menu, {"view.fitAll", "edit.layOut"});
+    menu.exec(globalPosition);
+}
+
+void MainWindow::about() {
+    QMessageBox box(QMessageBox::NoIcon, tr("About Toile"), tr("Toile – garment pattern editor and simulation viewer"),
+                    QMessageBox::Ok, this);
+    box.setIconPixmap(QIcon(QStringLiteral(":/icons/toile.svg")).pixmap(64, 64));
+    const QString device = view3D_->deviceName();
+    box.setInformativeText(parts_.aboutText + (device.isEmpty() ? QString() : QStringLiteral("\n") + tr("Graphics: %1").arg(device)));
+    box.exec();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!files_->mayDiscard()) return event->ignore();
+    if (Journal* journal = workbench_.journal()) journal->clear();
+    event->accept();
+}
+
+} // namespace toile::ui

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/pattern/PatternView.h"
+#include "ui/view3d/View3D.h"
+#include "ui/window/Actions.h"
+#include "ui/window/FileCommands.h"
+#include "ui/window/SceneLink.h"
+#include "ui/window/StatusLine.h"
+#include "ui/window/ToolBox.h"
+#include "ui/window/ToolOptions.h"
+
+#include <QMainWindow>
+
+namespace toile::ui {
+
+/// What the window gets from outside beside the workbench.
+struct WindowParts {
+    FileCommands::DrapeWriter writeDrape;
+    QStringList sampleFolders;
+    QString aboutText; ///< facts of the build
+};
+
+/// Puts the parts together; decides nothing. 3D view left, pattern right, objects and properties far right.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    MainWindow(Workbench& workbench, WindowParts parts, QWidget* parent = nullptr);
+
+    [[nodiscard]] PatternView& patternView() { return *pattern_; }
+    [[nodiscard]] View3D& view3D() { return *view3D_; }
+    [[nodiscard]] FileCommands& files() { return *files_; }
+    [[nodiscard]] const Actions& actions() const { return actions_; }
+    void useTool(const QString& id);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void makeActions();
+    void makeMenus();
+    void makeToolBars();
+    void makeViews();
+    void connectWorkbench();
+    void showTitle();
+    void showHistory();
+    void showTool();
+    void showMenu(const Selection& under, QPoint globalPosition);
+    void about();
+
+    [[nodiscard]] std::vector<ActionSpec> fileActions();
+    [[nodiscard]] std::vector<ActionSpec> editActions();
+    [[nodiscard]] std::vector<ActionSpec> viewActions();
+    [[nodiscard]] std::vector<ActionSpec> simulationActions();
+    [[nodiscard]] std::vector<ActionSpec> toolActions();
+
+    Workbench& workbench_;
+    WindowParts parts_;
+    ToolBox tools_;
+    QString tool_;
+    Actions actions_;
+    FileCommands* files_ = nullptr;
+    View3D* view3D_ = nullptr;
+    PatternView* pattern_ = nullptr;
+    ToolOptions* options_ = nullptr;
+    StatusLine* status_ = nullptr;
+    SceneLink* link_ = nullptr;
+};
+
+} // namespace toile::ui

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/StatusLine.h"
+
+#include "ui/values/Units.h"
+
+#include <QLabel>
+
+namespace toile::ui {
+namespace {
+
+QLabel* field(StatusLine& line, const char* name, int width, const QString& tip) {
+    auto* label = new QLabel;
+    label->setObjectName(QLatin1String(name));
+    label->setMinimumWidth(width);
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    label->setToolTip(tip);
+    line.addPermanentWidget(label);
+    return label;
+}
+
+} // namespace
+
+SimulationTexts textsOf(const simulation::Frame& frame) {
+    return {textOf(Quantity::time, frame.time),
+            StatusLine::tr("%1 frames/s").arg(QString::number(frame.framesPerSecond, 'f', frame.framesPerSecond < 10 ? 1 : 0)),
+            StatusLine::tr("%1 particles").arg(frame.particles),
+            StatusLine::tr("gap %1").arg(textOf(Quantity::length, frame.largestSeamGap))};
+}
+
+StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
+    setSizeGripEnabled(false);
+    message_ = new QLabel;
+    message_->setObjectName(QStringLiteral("statusMessage"));
+    message_->setContentsMargins(8, 0, 0, 0);
+    message_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    addWidget(message_, 1);
+    pointer_ = field(*this, "statusPointer", 130, tr("Pointer on the pattern table"));
+    state_ = field(*this, "statusState", 70, tr("State of the simulation"));
+    time_ = field(*this, "statusTime", 64, tr("Simulated time"));
+    rate_ = field(*this, "statusRate", 96, tr("Simulated frames computed a second"));
+    particles_ = field(*this, "statusParticles", 100, tr("Particles of the cloth"));
+    gap_ = field(*this, "statusGap", 116, tr("Largest distance between points that are sewn together"));
+    gap_->setContentsMargins(0, 0, 10, 0);
+    showFrame(nullptr, false);
+}
+
+void StatusLine::tell(const QString& message, bool isProblem) {
+    message_->setText(message);
+    message_->setToolTip(message);
+    message_->setStyleSheet(isProblem ? QStringLiteral("color: #b02a2a;") : QString());
+}
+
+void StatusLine::showPointer(Vec2 position) {
+    pointer_->setText(tr("%1, %2").arg(textOf(Quantity::length, position.x), textOf(Quantity::length, position.y)));
+}
+
+void StatusLine::showFrame(const simulation::Frame* frame, bool playing) {
+    const SimulationTexts texts = frame ? textsOf(*frame) : SimulationTexts{};
+    state_->setText(playing ? tr("Running") : frame && frame->atRest ? tr("At rest") : tr("Paused"));
+    time_->setText(texts.time);
+    rate_->setText(playing ? texts.rate : QString());
+    particles_->setText(texts.particles);
+    gap_->setText(texts.gap);
+}
+
+} // namespace toile::ui

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/Frame.h"
+
+#include <QStatusBar>
+
+class QLabel;
+
+namespace toile::ui {
+
+/// What the simulation says: its parts for the status line, in the trade's units.
+struct SimulationTexts {
+    QString time, rate, particles, gap;
+};
+[[nodiscard]] SimulationTexts textsOf(const simulation::Frame& frame);
+
+/// Message, pointer, simulated time, frames per second, particles, largest seam gap.
+class StatusLine : public QStatusBar {
+    Q_OBJECT
+public:
+    explicit StatusLine(QWidget* parent = nullptr);
+
+    void tell(const QString& message, bool isProblem);
+    void showPointer(Vec2 position);
+    void showFrame(const simulation::Frame* frame, bool playing);
+
+private:
+    QLabel *message_, *pointer_, *state_, *time_, *rate_, *particles_, *gap_;
+};
+
+} // namespace toile::ui

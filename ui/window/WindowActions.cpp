@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/MainWindow.h"
+
+#include "core/document/DocumentEdits.h"
+#include "core/pattern/PatternPieces.h"
+#include "ui/workbench/Arrange.h"
+
+#include <QApplication>
+
+namespace toile::ui {
+
+std::vector<ActionSpec> MainWindow::fileActions() {
+    return {
+        {"file.new", tr("&New"), QKeySequence::New, "new", false, [this] { files_->startNew(); }},
+        {"file.open", tr("&Open…"), QKeySequence::Open, "open", false, [this] { files_->open(); }},
+        {"file.save", tr("&Save"), QKeySequence::Save, "save", false, [this] { files_->save(); }},
+        {"file.saveAs", tr("Save &as…"), QKeySequence(tr("Ctrl+Shift+S")), {}, false, [this] { files_->saveAs(); }},
+        {"file.exportDrape", tr("&Export drape…"), QKeySequence(tr("Ctrl+E")), {}, false, [this] { files_->exportDrape(); }},
+        {"file.quit", tr("&Quit"), QKeySequence(tr("Ctrl+Q")), {}, false, [this] { close(); }},
+        {"avatar.import", tr("&Import avatar…"), {}, "avatar", false, [this] { files_->importAvatar(); }},
+        {"avatar.mannequin", tr("Toile's &mannequin"), {}, {}, false, [this] { files_->useMannequin(); }},
+        {"avatar.remove", tr("&Remove avatar"), {}, {}, false, [this] { workbench_.removeAvatar(); }},
+        {"help.about", tr("&About Toile"), {}, {}, false, [this] { about(); }},
+    };
+}
+
+std::vector<ActionSpec> MainWindow::editActions() {
+    const auto place = [this](BodySide side) {
+        return [this, side] {
+            workbench_.take(arranged(workbench_.desk(), workbench_.body() ? &**workbench_.body() : nullptr, side));
+        };
+    };
+    return {
+        {"place.front", tr("In &front of the body"), {}, {}, false, place(BodySide::front)},
+        {"place.back", tr("&Behind the body"), {}, {}, false, place(BodySide::back)},
+        {"place.left", tr("At its &left"), {}, {}, false, place(BodySide::left)},
+        {"place.right", tr("At its &right"), {}, {}, false, place(BodySide::right)},
+        {"edit.undo", tr("&Undo"), QKeySequence(tr("Ctrl+Z")), "undo", false, [this] { workbench_.undo(); }},
+        {"edit.redo", tr("&Redo"), QKeySequence(tr("Ctrl+Shift+Z")), "redo", false, [this] { workbench_.redo(); }},
+        {"edit.delete", tr("&Delete"), {}, {}, false, [this] { workbench_.take(tools_.entry(tool_).tool->key(workbench_.desk(), ToolKey::erase)); }},
+        {"edit.layOut", tr("&Lay out pieces"), {}, {}, false, [this] {
+             workbench_.take(effectOf(tr("Lay out pieces"), document::edited(workbench_.document(), [](const pattern::Pattern& p, pattern::IdSource&) {
+                 return Result<pattern::Pattern>(laidOut(p));
+             })));
+             pattern_->fitAll();
+         }, tr("Put the pieces side by side on the table; shapes and drape stay as they are")},
+    };
+}
+
+std::vector<ActionSpec> MainWindow::viewActions() {
+    const auto look = [this](bool PatternLook::*part) {
+        return [this, part] {
+            PatternLook next = pattern_->look();
+            next.*part = !(next.*part);
+            pattern_->setLook(next);
+        };
+    };
+    const auto render = [this](bool picture::RenderOptions::*part) {
+        return [this, part] {
+            picture::RenderOptions next = view3D_->scene().options;
+            next.*part = !(next.*part);
+            view3D_->setOptions(next);
+        };
+    };
+    return {
+        {"view.fitAll", tr("Fit &all"), QKeySequence(tr("Ctrl+9")), "fit", false, [this] { pattern_->fitAll(); view3D_->fit(); }},
+        {"view.fitSelection", tr("Fit &selection"), QKeySequence(tr("Ctrl+8")), {}, false, [this] { pattern_->fitSelection(); }},
+        {"view.zoomIn", tr("Zoom &in"), QKeySequence::ZoomIn, {}, false, [this] { pattern_->zoomBy(1.25); }},
+        {"view.zoomOut", tr("Zoom &out"), QKeySequence::ZoomOut, {}, false, [this] { pattern_->zoomBy(0.8); }},
+        {"view.front", tr("&Front"), QKeySequence(tr("Ctrl+1")), {}, false, [this] { view3D_->viewFront(); }},
+        {"view.back", tr("&Back"), QKeySequence(tr("Ctrl+2")), {}, false, [this] { view3D_->viewBack(); }},
+        {"view.left", tr("&Left side"), QKeySequence(tr("Ctrl+3")), {}, false, [this] { view3D_->viewLeft(); }},
+        {"view.right", tr("&Right side"), QKeySequence(tr("Ctrl+4")), {}, false, [this] { view3D_->viewRight(); }},
+        {"view.top", tr("&Top"), QKeySequence(tr("Ctrl+5")), {}, false, [this] { view3D_->viewTop(); }},
+        {"look.mesh", tr("&Mesh on the pattern"), QKeySequence(tr("Ctrl+M")), "mesh", true, look(&PatternLook::mesh)},
+        {"look.regions", tr("&Regions on the pattern"), {}, {}, true, look(&PatternLook::regions)},
+        {"look.seams", tr("&Seams on the pattern"), {}, {}, true, look(&PatternLook::seams)},
+        {"look.names", tr("&Names on the pattern"), {}, {}, true, look(&PatternLook::names)},
+        {"look.grid", tr("&Grid and rulers"), {}, {}, true, look(&PatternLook::grid)},
+        {"look3d.body", tr("&Avatar"), {}, {}, true, render(&picture::RenderOptions::body)},
+        {"look3d.meshLines", tr("Mesh on the &cloth"), QKeySequence(tr("Ctrl+Shift+M")), {}, true, render(&picture::RenderOptions::meshLines)},
+        {"look3d.seams", tr("Seams on the cl&oth"), {}, {}, true, render(&picture::RenderOptions::seams)},
+        {"look3d.regions", tr("Regions on the clot&h"), {}, {}, true, render(&picture::RenderOptions::regions)},
+    };
+}
+
+std::vector<ActionSpec> MainWindow::simulationActions() {
+    return {
+        {"simulation.play", tr("&Simulate"), QKeySequence(Qt::Key_Space), "play", true,
+         [this] { workbench_.isPlaying() ? workbench_.pause() : workbench_.play(); }, tr("Start or pause the simulation")},
+        {"simulation.step", tr("One s&tep"), QKeySequence(tr("Ctrl+.")), "step", false, [this] { workbench_.step(); }},
+        {"simulation.reset", tr("&Reset"), QKeySequence(tr("Ctrl+R")), "reset", false, [this] { workbench_.reset(); },
+         tr("Back to where the pieces were placed")},
+    };
+}
+
+std::vector<ActionSpec> MainWindow::toolActions() {
+    std::vector<ActionSpec> table;
+    for (const ToolBox::Entry& entry : tools_.entries())
+        table.push_back({entry.id, entry.text, QKeySequence(entry.shortcut), entry.icon, true, [this, id = entry.id] { useTool(id); }});
+    return table;
+}
+
+} // namespace toile::ui

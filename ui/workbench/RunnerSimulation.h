@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/Runner.h"
+#include "ui/workbench/Simulation.h"
+
+namespace toile::ui {
+
+/// The real simulation, on the runner's thread.
+class RunnerSimulation : public Simulation {
+public:
+    void setScene(simulation::Scene scene, std::uint64_t generation) override {
+        runner_.setScene(std::move(scene), generation);
+    }
+    void play() override { runner_.play(); }
+    void pause() override { runner_.pause(); }
+    void step() override { runner_.step(); }
+    void reset() override { runner_.reset(); }
+    [[nodiscard]] bool isPlaying() const override { return runner_.isPlaying(); }
+    [[nodiscard]] std::optional<simulation::Frame> takeFrame() override { return runner_.takeFrame(); }
+
+private:
+    simulation::Runner runner_;
+};
+
+} // namespace toile::ui

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/Frame.h"
+#include "core/simulation/Scene.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace toile::ui {
+
+/// What the window needs of a running simulation (simulation::Runner); tests put their own in its place.
+class Simulation {
+public:
+    virtual ~Simulation() = default;
+    virtual void setScene(simulation::Scene scene, std::uint64_t generation) = 0;
+    virtual void play() = 0;
+    virtual void pause() = 0;
+    virtual void step() = 0;
+    virtual void reset() = 0;
+    [[nodiscard]] virtual bool isPlaying() const = 0;
+    [[nodiscard]] virtual std::optional<simulation::Frame> takeFrame() = 0;
+};
+
+} // namespace toile::ui

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/History.h"
+#include "ui/tools/Tool.h"
+#include "ui/workbench/Journal.h"
+#include "ui/workbench/MeshPreview.h"
+#include "ui/workbench/Simulation.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <functional>
+#include <memory>
+
+namespace toile::ui {
+
+/// What the workbench gets from outside: files, meshes, a simulation.
+struct WorkbenchParts {
+    std::function<Result<document::Document>(const std::string& file)> read;
+    std::function<Result<void>(const std::string& file, const document::Document&)> write;
+    std::function<Result<body::Body>(const std::string& file)> readBody;
+    MeshPreview::Mesher mesh;
+    std::unique_ptr<Simulation> simulation;
+    QString recoveryFolder; ///< empty = no crash journal
+    std::chrono::milliseconds recoveryDelay{3000}; ///< from an edit to its record
+};
+
+/// The document with its history and file, and what follows from it: the flat drawing, the mesh preview, the running
+/// simulation. Everything the window shows is asked here; everything it does ends here.
+class Workbench : public QObject {
+    Q_OBJECT
+public:
+    explicit Workbench(WorkbenchParts parts, QObject* parent = nullptr);
+    ~Workbench() override;
+
+    [[nodiscard]] const document::Document& document() const { return history_.current(); }
+    [[nodiscard]] const document::History& history() const { return history_; }
+    [[nodiscard]] const FlatPattern& flat() const { return flat_; }
+    [[nodiscard]] const Selection& selection() const { return selection_; }
+    [[nodiscard]] Desk desk() const { return {document(), flat_, selection_}; }
+    [[nodiscard]] const MeshLines& mesh() const { return meshed_.lines; }
+    [[nodiscard]] const meshing::MeshReport& meshReport() const { return meshed_.report; }
+    [[nodiscard]] const std::optional<simulation::Frame>& frame() const { return frame_; }
+    [[nodiscard]] const std::optional<Shared<body::Body>>& body() const { return body_; }
+    /// Counts the scenes that were handed over: frames of older ones are not shown.
+    [[nodiscard]] std::uint64_t generation() const { return generation_; }
+
+    void take(const Effect& effect);
+    void apply(const Edit& edit);
+    void select(const Selection& selection);
+    void undo();
+    void redo();
+
+    [[nodiscard]] const QString& path() const { return path_; }
+    [[nodiscard]] bool isModified() const { return history_.isModified(); }
+    void startNew(); ///< an empty pattern with one fabric
+    [[nodiscard]] Result<void> open(const QString& path);
+    /// Begins with a value: a sample, an import, a recovered document. A modified one has never been saved as it is.
+    void startFrom(document::Document document, const QString& path, bool modified);
+    /// A document from a place that is not to be written: a sample. It has no path of its own.
+    [[nodiscard]] Result<void> openCopy(const QString& path);
+    /// Goes on with the unsaved work of a program that ended by accident.
+    [[nodiscard]] Result<void> recover(const Journal::Leftover& leftover);
+    [[nodiscard]] Result<void> saveAs(const QString& path);
+    /// The body of the file becomes the document's avatar: one undoable step.
+    void importAvatar(const QString& path);
+    void removeAvatar();
+    [[nodiscard]] Journal* journal() { return journal_ ? &*journal_ : nullptr; }
+
+    [[nodiscard]] bool isPlaying() const { return parts_.simulation && parts_.simulation->isPlaying(); }
+    void play();
+    void pause();
+    void step();
+    void reset();
+    /// Asks for a new frame; called by a timer 60 times a second.
+    void pollFrame();
+
+    void tell(const QString& message, bool isProblem = false);
+
+Q_SIGNALS:
+    void documentChanged();
+    void documentReplaced(); ///< by another one: opened, new, recovered
+    void selectionChanged();
+    void meshChanged();
+    void bodyChanged();
+    void frameArrived();
+    void playingChanged();
+    void fileChanged(); ///< path or modified mark
+    void messageChanged(const QString& message, bool isProblem);
+
+private:
+    void documentMoved();
+    void loadBody();
+    void takeBody(const QString& file, Result<body::Body> body);
+    void handOver(); ///< document → mesh preview and simulation
+    void record();
+
+    WorkbenchParts parts_;
+    document::History history_;
+    FlatPattern flat_;
+    Selection selection_;
+    QString path_;
+    MeshPreview preview_;
+    MeshedPattern meshed_;
+    std::optional<simulation::Frame> frame_;
+    std::optional<Shared<body::Body>> body_;
+    QString bodyFile_;        ///< path that body_ was read from, or is being read from
+    bool bodyLoading_ = false; ///< the simulation waits for it
+    bool playWhenReady_ = false;
+    bool resetNext_ = false; ///< the next scene begins anew
+    std::uint64_t generation_ = 0;        ///< of scene_
+    std::uint64_t patternGeneration_ = 0; ///< of meshedPattern_
+    std::optional<pattern::Pattern> meshedPattern_; ///< handed to the mesh preview
+    std::optional<simulation::Scene> scene_; ///< handed to the simulation
+    bool wasPlaying_ = false;
+    std::optional<Journal> journal_;
+    QTimer frames_, recovery_;
+    std::jthread bodyThread_; ///< reads a body; the next one waits for it
+};
+
+} // namespace toile::ui
