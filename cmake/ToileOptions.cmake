@@ -19,8 +19,7 @@ target_compile_options(toile_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow
 # Fused multiply-add would make results depend on the processor and exact predicates wrong.
 target_compile_options(toile_options INTERFACE -ffp-contract=off)
 # FCL and we must agree on the alignment of Eigen's types whatever flags a build adds.
-# QT_NO_EMIT: oneTBB has functions called emit.
-target_compile_definitions(toile_options INTERFACE EIGEN_MAX_ALIGN_BYTES=16 QT_NO_EMIT)
+target_compile_definitions(toile_options INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 
 if(TOILE_SANITIZE)
     target_compile_options(toile_options INTERFACE -fsanitize=${TOILE_SANITIZE} -fno-omit-frame-pointer)

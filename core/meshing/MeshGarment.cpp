@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/Contracts.h"
+#include "core/base/Parallel.h"
 #include "core/meshing/BorderSpacing.h"
 #include "core/meshing/FinishedPiece.h"
 #include "core/meshing/GarmentMesh.h"
@@ -10,31 +11,14 @@
 #include "core/meshing/StripImprovement.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <tbb/parallel_for.h>
 
 namespace toile::meshing {
 namespace {
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
-}
-
-/// Does work(0) … work(count − 1) on all cores. Start and end are said through atomics of our own as well: the thread
-/// sanitizer does not see how the library orders its threads.
-template <class Work>
-void inParallel(int count, Work work) {
-    std::atomic<bool> begun{false};
-    std::atomic<int> ended{0};
-    begun.store(true, std::memory_order_release);
-    tbb::parallel_for(0, count, [&](int i) {
-        expects(begun.load(std::memory_order_acquire));
-        work(i);
-        ended.fetch_add(1, std::memory_order_release);
-    });
-    expects(ended.load(std::memory_order_acquire) == count);
 }
 
 constexpr int mostRefinements = 24; ///< doublings of the border before we give up

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/Parallel.h"
+
+#include <QtTest>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+using namespace toile;
+
+class tst_Parallel : public QObject {
+    Q_OBJECT
+private slots:
+    void eachIsDoneOnce() {
+        std::vector<int> times(1000, 0);
+        inParallel(1000, [&](int i) { ++times[static_cast<std::size_t>(i)]; });
+        QCOMPARE(times, std::vector<int>(1000, 1));
+    }
+
+    void noneIsNothing() {
+        inParallel(0, [](int) { QFAIL("nothing was to be done"); });
+    }
+
+    void anExceptionArrivesAfterAllOthersAreDone() {
+        std::vector<int> done(100, 0);
+        QVERIFY_EXCEPTION_THROWN(inParallel(100,
+                                            [&](int i) {
+                                                if (i == 3) throw std::runtime_error("three");
+                                                done[static_cast<std::size_t>(i)] = 1;
+                                            }),
+                                 std::runtime_error);
+        QCOMPARE(std::accumulate(done.begin(), done.end(), 0), 99);
+    }
+};
+
+QTEST_APPLESS_MAIN(tst_Parallel)
+#include "tst_Parallel.moc"
