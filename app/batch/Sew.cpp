@@ -7,6 +7,7 @@
 #include "core/base/AtomicFile.h"
 #include "core/io/DocumentFile.h"
 #include "core/io/DrapeExport.h"
+#include "core/io/FrameFiles.h"
 #include "core/simulation/Arrange.h"
 #include "core/simulation/Inspect.h"
 #include "core/simulation/Sew.h"
@@ -24,6 +25,7 @@ Result<void> checked(const SewOptions& options) {
     if (auto out = checkedOutput(options.out, {".glb", ".obj", ".ply", ".stl"}); !out) return out;
     for (const std::string& picture : options.pictures)
         if (auto out = checkedOutput(picture, {".png"}); !out) return out;
+    if (auto frames = checkedOutput(options.frames, {}); !frames) return frames;
     return checkedOutput(options.report, {});
 }
 
@@ -100,6 +102,24 @@ Result<void> writeResults(const SewOptions& options, const OpenedScene& opened, 
     return {};
 }
 
+/// Sews, and keeps the start and every frame step if that is wanted.
+Result<simulation::SewReport> sewn(const SewOptions& options, const simulation::SewSettings& settings,
+                                   simulation::Simulation& simulation, std::stop_token stop) {
+    ProgressBar bar(options.quiet);
+    if (options.frames.empty()) return simulation::sew(simulation, settings, stop, bar.progress());
+
+    const simulation::Frame start = simulation.frame();
+    auto files = io::FrameFiles::create(options.frames, start.topology);
+    if (!files) return tl::unexpected(files.error());
+    Result<void> kept = (*files)->add(start.positions);
+    auto report = simulation::sew(simulation, settings, stop, bar.progress(), [&](const simulation::Simulation& now) {
+        if (kept) kept = (*files)->add(now.nodePositions());
+    });
+    if (report && kept) kept = (*files)->finish();
+    if (!kept) return tl::unexpected(kept.error());
+    return report;
+}
+
 } // namespace
 
 const std::vector<std::string>& sewMethods() {
@@ -124,11 +144,7 @@ int sew(const SewOptions& options, std::stop_token stop) {
     if (const auto start = judgeStart(*opened, *simulation, options); !start) return refuse(start.error());
 
     simulation::SewSettings settings{.seconds = options.seconds, .limit = options.limit};
-    Result<simulation::SewReport> report;
-    {
-        ProgressBar bar(options.quiet);
-        report = simulation::sew(*simulation, settings, stop, bar.progress());
-    }
+    auto report = sewn(options, settings, *simulation, stop);
     if (!report) return refuse(report.error());
     report->warnings.insert(report->warnings.begin(), opened->warnings.begin(), opened->warnings.end());
     printSummary(*report);

@@ -89,6 +89,7 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
             return text == "auto" || (number && std::stoi(text) > 0) ? "" : "a positive number or auto";
         });
     command->add_option("--out", options->out, "write the drape: .glb, .obj, .ply or .stl");
+    command->add_option("--frames", options->frames, "keep every frame step: a point cache (.pc2), or a folder for .obj files");
     command->add_option("--picture", options->pictures, "write pictures; front, back, left, right or top by the file's name")
         ->delimiter(',')
         ->allow_extra_args(false); // a FILE behind it is not one more picture

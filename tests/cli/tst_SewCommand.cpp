@@ -34,6 +34,8 @@ private slots:
     void theReportHasTheKeysThatArePromised();
     void whatIsNotThereIsNull();
     void everyDrapeFormatIsWritten();
+    void framesAreKeptAsAPointCacheOrAFolder();
+    void framesOfAnotherRunAreNotMixedIn();
     void aPictureIsNotBlank();
     void equalRunsGiveEqualBits();
     void quietSaysNothing();
@@ -124,6 +126,23 @@ void tst_SewCommand::everyDrapeFormatIsWritten() {
         QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--out", in(file)}).status, 3); // not sewn yet
         QVERIFY2(contentOf(in(file)).size() > 1000, file);
     }
+}
+
+void tst_SewCommand::framesAreKeptAsAPointCacheOrAFolder() {
+    QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("cache.pc2")}).status, 3); // not sewn yet
+    QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("frames"), "--out", in("drape.obj")}).status, 3);
+    const QStringList frames = QDir(in("frames")).entryList(QDir::Files);
+    QCOMPARE(frames.size(), 7); // the start and six steps
+    QCOMPARE(contentOf(in("frames") + "/frame-00006.obj"), contentOf(in("drape.obj")));
+    const qsizetype points = contentOf(in("drape.obj")).count("\nv ");
+    QCOMPARE(contentOf(in("cache.pc2")).size(), 32 + 7 * points * 12);
+}
+
+void tst_SewCommand::framesOfAnotherRunAreNotMixedIn() {
+    QVERIFY(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("frames")}).status == 3);
+    const Finished again = run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("frames")});
+    QCOMPARE(again.status, 1);
+    QVERIFY2(again.err.contains("frames of another run"), qPrintable(again.err));
 }
 
 void tst_SewCommand::aPictureIsNotBlank() {
