@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/collision/SelfProximity.h"
+
+#include "core/base/Contracts.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace toile::collision {
+namespace {
+
+Vec3 lower(const Vec3& a, const Vec3& b) {
+    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+Vec3 higher(const Vec3& a, const Vec3& b) {
+    return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
+bool meet(const auto& a, const auto& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+           a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
+template <class Corners>
+bool has(const Corners& corners, int vertex) {
+    return std::ranges::find(corners, vertex) != corners.end();
+}
+
+/// How much nearer the two elements of a pair can come by their moves [m].
+double approach(const ElementPair& pair, std::span<const Vec3> moves) {
+    double squared = 0;
+    for (int i = 0; i < pair.firstCount; ++i)
+        for (int k = pair.firstCount; k < 4; ++k)
+            squared = std::max(squared, squaredLength(moves[pair.vertices[i]] - moves[pair.vertices[k]]));
+    return std::sqrt(squared);
+}
+
+} // namespace
+
+SelfProximity::SelfProximity(std::vector<geometry::TriangleIndices> triangles,
+                             std::span<const Vec3> positions)
+    : triangles_(std::move(triangles)), represented_(triangles_.size()), vertexBoxes_(positions.size()) {
+    findEdges();
+    if (triangles_.empty()) return;
+    std::vector<Vec3> centres;
+    for (const auto& [a, b, c] : triangles_) {
+        expects(a != b && b != c && c != a, "a triangle has three corners");
+        centres.push_back((positions[a] + positions[b] + positions[c]) / 3);
+    }
+    std::vector<int> order(triangles_.size());
+    std::iota(order.begin(), order.end(), 0);
+    nodes_.reserve(2 * order.size());
+    build(order, centres);
+    nodeBoxes_.resize(nodes_.size());
+}
+
+void SelfProximity::findEdges() {
+    std::map<std::array<int, 2>, int> known;
+    std::vector<char> spokenFor(vertexBoxes_.size(), 0);
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+        for (int k = 0; k < 3; ++k) {
+            const int a = triangles_[t][k], b = triangles_[t][(k + 1) % 3],
+                      across = triangles_[t][(k + 2) % 3];
+            if (!spokenFor[a]++) represented_[t].corners[k] = a;
+            const auto [at, isNew] =
+                known.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(edges_.size()));
+            if (isNew) {
+                represented_[t].edges[k] = at->second;
+                edges_.push_back({at->first, {across, -1}});
+            } else {
+                edges_[at->second].opposite[1] = across;
+            }
+        }
+}
+
+/// Halves the triangles along the longest axis of their centres; returns the node made.
+int SelfProximity::build(std::span<int> triangles, std::span<const Vec3> centres) {
+    const int node = static_cast<int>(nodes_.size());
+    nodes_.push_back({});
+    if (triangles.size() == 1) {
+        nodes_[node].triangle = triangles[0];
+        return node;
+    }
+    Vec3 low = centres[triangles[0]], high = low;
+    for (const int t : triangles) {
+        low = lower(low, centres[t]);
+        high = higher(high, centres[t]);
+    }
+    const Vec3 extent = high - low;
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    const std::size_t half = triangles.size() / 2;
+    std::ranges::nth_element(
+        triangles, triangles.begin() + static_cast<std::ptrdiff_t>(half),
+        [&](int s, int t) { return std::pair(centres[s][axis], s) < std::pair(centres[t][axis], t); });
+    build(triangles.first(half), centres);
+    const int second = build(triangles.subspan(half), centres);
+    nodes_[node].second = second;
+    return node;
+}
+
+/// Boxes round the ways of all vertices, and of what is made of them.
+void SelfProximity::fit(double margin, std::span<const Vec3> positions, std::span<const Vec3> moves) {
+    const Vec3 wide{margin, margin, margin};
+    for (std::size_t v = 0; v < vertexBoxes_.size(); ++v) {
+        const Vec3 &from = positions[v], to = moves.empty() ? from : from + moves[v];
+        vertexBoxes_[v] = {lower(from, to) - wide, higher(from, to) + wide};
+    }
+    for (std::size_t n = nodes_.size(); n-- > 0;) {
+        const Node& node = nodes_[n];
+        if (node.second >= 0) {
+            const Box &first = nodeBoxes_[n + 1], &second = nodeBoxes_[node.second];
+            nodeBoxes_[n] = {lower(first.low, second.low), higher(first.high, second.high)};
+            continue;
+        }
+        const auto& [a, b, c] = triangles_[node.triangle];
+        const Box &boxA = vertexBoxes_[a], &boxB = vertexBoxes_[b], &boxC = vertexBoxes_[c];
+        nodeBoxes_[n] = {lower(lower(boxA.low, boxB.low), boxC.low),
+                         higher(higher(boxA.high, boxB.high), boxC.high)};
+    }
+}
+
+/// visit(node, node) once for every two leaves whose boxes meet.
+template <class Visit>
+void SelfProximity::forNearTriangles(const Visit& visit) const {
+    if (nodes_.empty()) return;
+    std::vector<std::array<int, 2>> todo{{0, 0}};
+    while (!todo.empty()) {
+        const auto [a, b] = todo.back();
+        todo.pop_back();
+        const Node &first = nodes_[a], &second = nodes_[b];
+        if (a == b) {
+            if (first.second < 0) continue;
+            todo.push_back({first.second, first.second});
+            todo.push_back({a + 1, a + 1});
+            if (meet(nodeBoxes_[a + 1], nodeBoxes_[first.second])) todo.push_back({a + 1, first.second});
+        } else if (first.second < 0 && second.second < 0) {
+            visit(a, b);
+        } else if (second.second < 0 || (first.second >= 0 && first.second - a >= second.second - b)) {
+            if (meet(nodeBoxes_[a + 1], nodeBoxes_[b])) todo.push_back({a + 1, b});
+            if (meet(nodeBoxes_[first.second], nodeBoxes_[b])) todo.push_back({first.second, b});
+        } else {
+            if (meet(nodeBoxes_[a], nodeBoxes_[b + 1])) todo.push_back({a, b + 1});
+            if (meet(nodeBoxes_[a], nodeBoxes_[second.second])) todo.push_back({a, second.second});
+        }
+    }
+}
+
+std::vector<SelfProximity::Near> SelfProximity::pairsWithin(double reach, std::span<const Vec3> positions,
+                                                            std::span<const Vec3> moves) {
+    fit(0.5 * reach, positions, moves);
+    std::vector<Near> found;
+    const auto keepIfNear = [&](const ElementPair& pair) {
+        const double distance = separationOf(pair, positions).distance;
+        if (distance <= reach + (moves.empty() ? 0 : approach(pair, moves)))
+            found.push_back({pair, distance});
+    };
+    const auto cornersAgainst = [&](int speaker, int node) {
+        const auto& corners = triangles_[nodes_[node].triangle];
+        for (const int v : represented_[speaker].corners)
+            if (v >= 0 && meet(vertexBoxes_[v], nodeBoxes_[node]) && !has(corners, v))
+                keepIfNear({{v, corners[0], corners[1], corners[2]}, 1});
+    };
+    const auto boxOf = [&](const std::array<int, 2>& edge) {
+        const Box &p = vertexBoxes_[edge[0]], &q = vertexBoxes_[edge[1]];
+        return Box{lower(p.low, q.low), higher(p.high, q.high)};
+    };
+    forNearTriangles([&](int a, int b) {
+        const int first = nodes_[a].triangle, second = nodes_[b].triangle;
+        cornersAgainst(first, b);
+        cornersAgainst(second, a);
+        for (const int e : represented_[first].edges) {
+            if (e < 0) continue;
+            const auto& edge = edges_[e].vertices;
+            const Box box = boxOf(edge);
+            if (!meet(box, nodeBoxes_[b])) continue;
+            for (const int f : represented_[second].edges) {
+                if (f < 0) continue;
+                const auto& other = edges_[f].vertices;
+                if (!has(other, edge[0]) && !has(other, edge[1]) && meet(box, boxOf(other)))
+                    keepIfNear({{edge[0], edge[1], other[0], other[1]}, 2});
+            }
+        }
+    });
+    return found;
+}
+
+std::vector<Piercing> SelfProximity::piercings(std::span<const Vec3> positions) {
+    fit(0, positions, {});
+    std::vector<Piercing> found;
+    const auto edgesAgainst = [&](int speaker, int triangle) {
+        const auto& corners = triangles_[triangle];
+        for (const int e : represented_[speaker].edges) {
+            if (e < 0) continue;
+            const auto [p, q] = edges_[e].vertices;
+            if (!has(corners, p) && !has(corners, q) &&
+                segmentPierces(positions[p], positions[q], positions[corners[0]], positions[corners[1]],
+                               positions[corners[2]]))
+                found.push_back({e, triangle});
+        }
+    };
+    forNearTriangles([&](int a, int b) {
+        edgesAgainst(nodes_[a].triangle, nodes_[b].triangle);
+        edgesAgainst(nodes_[b].triangle, nodes_[a].triangle);
+    });
+    std::ranges::sort(found);
+    return found;
+}
+
+std::size_t SelfProximity::bytes() const {
+    return triangles_.capacity() * sizeof(geometry::TriangleIndices) +
+           edges_.capacity() * sizeof(SurfaceEdge) + represented_.capacity() * sizeof(Represented) +
+           nodes_.capacity() * sizeof(Node) + (vertexBoxes_.capacity() + nodeBoxes_.capacity()) * sizeof(Box);
+}
+
+} // namespace toile::collision

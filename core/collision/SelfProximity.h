@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/collision/ElementPair.h"
+#include "core/geometry/TriangleMesh.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace toile::collision {
+
+/// An edge of a surface and the corners across it; −1 where it has no second triangle.
+struct SurfaceEdge {
+    std::array<int, 2> vertices{};
+    std::array<int, 2> opposite{-1, -1};
+};
+
+/// An edge that passes through a triangle: indices into edges() and triangles().
+struct Piercing {
+    int edge = 0, triangle = 0;
+    friend auto operator<=>(const Piercing&, const Piercing&) = default;
+};
+
+/// Which elements of one deforming surface are near each other.
+///
+/// Triangles lie under a binary hierarchy of boxes, whose shape is fixed by where they are at first and whose
+/// boxes are made anew for every search. Each corner and each edge belongs to one triangle, so that a pair is
+/// met once (Curtis et al. 2008, representative triangles). Elements with a common corner are never a pair.
+class SelfProximity {
+public:
+    /// No triangle names a vertex twice.
+    SelfProximity(std::vector<geometry::TriangleIndices> triangles, std::span<const Vec3> positions);
+
+    [[nodiscard]] const std::vector<geometry::TriangleIndices>& triangles() const { return triangles_; }
+    [[nodiscard]] const std::vector<SurfaceEdge>& edges() const { return edges_; }
+    [[nodiscard]] std::size_t bytes() const;
+
+    /// A pair, and how near its elements are at the start of the moves [m].
+    struct Near {
+        ElementPair pair;
+        double distance = 0;
+    };
+    /// Every pair that can come nearer than `reach` [m] while all vertices go together, on straight ways and
+    /// in step, from their positions by their moves. Without moves: exactly the pairs not farther apart than
+    /// `reach`.
+    [[nodiscard]] std::vector<Near> pairsWithin(double reach, std::span<const Vec3> positions,
+                                                std::span<const Vec3> moves);
+
+    /// Edges that pass through triangles they have no corner in common with, in rising order.
+    [[nodiscard]] std::vector<Piercing> piercings(std::span<const Vec3> positions);
+
+private:
+    struct Box {
+        Vec3 low, high;
+    };
+    struct Node {
+        int second = -1;   ///< the first child follows its parent; −1 = leaf
+        int triangle = -1; ///< of a leaf
+    };
+    /// What a triangle speaks for.
+    struct Represented {
+        std::array<int, 3> corners{-1, -1, -1}, edges{-1, -1, -1};
+    };
+
+    void findEdges();
+    int build(std::span<int> triangles, std::span<const Vec3> centres);
+    void fit(double margin, std::span<const Vec3> positions, std::span<const Vec3> moves);
+    template <class Visit>
+    void forNearTriangles(const Visit& visit) const;
+
+    std::vector<geometry::TriangleIndices> triangles_;
+    std::vector<SurfaceEdge> edges_;
+    std::vector<Represented> represented_;
+    std::vector<Node> nodes_;
+    std::vector<Box> vertexBoxes_, nodeBoxes_;
+};
+
+} // namespace toile::collision
