@@ -97,9 +97,11 @@ ContactSummary contactOf(const Simulation& simulation) {
 Drape drapeOf(const Simulation& simulation) {
     const Garment& garment = simulation.garment();
     const pattern::Pattern& pattern = simulation.scene().pattern;
-    Drape drape{particleTriangles(garment), simulation.state().positions, {}, {}};
+    Drape drape{particleTriangles(garment), simulation.state().positions, {}, {}, {}};
     const std::vector<Vec3> placed = placedNodes(pattern, *garment.mesh);
     drape.start.resize(garment.particles.particleCount);
+    for (std::size_t piece = 0; piece < pattern.pieces.size(); ++piece)
+        drape.piece.insert(drape.piece.end(), garment.mesh->pieces[piece].display.size(), static_cast<int>(piece));
     for (std::size_t node = 0; node < placed.size(); ++node) drape.start[garment.particles.particleOf[node]] = placed[node];
 
     for (std::size_t image = 0; image < pattern.pieces.size(); ++image) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <ranges>
 
 namespace toile::simulation {
@@ -121,16 +122,52 @@ void judgeOpenings(WornReport& report, const std::vector<Opening>& openings, con
             report.why.push_back(fmt::format("The {} passes through more than one opening.", limb));
 }
 
+Vec3 centreOf(const std::array<int, 3>& triangle, const std::vector<Vec3>& positions) {
+    return (positions[triangle[0]] + positions[triangle[1]] + positions[triangle[2]]) / 3;
+}
+
+/// For each triangle the patch of its piece that it belongs to: patches are some 0.2 m across where the piece was placed.
+std::vector<int> patchesOf(const Drape& drape) {
+    constexpr double size = 0.2; // [m]: wider than folds are deep, narrow enough that a turned side of a piece is one
+    struct Seed {
+        int piece;
+        Vec3 at;
+    };
+    std::vector<Seed> seeds;
+    const auto pieceOf = [&](std::size_t t) { return drape.piece.empty() ? 0 : drape.piece[t]; };
+    const auto nearestTo = [&](std::size_t t) { // of the seeds of its piece: index and distance
+        std::pair<int, double> nearest{-1, std::numeric_limits<double>::infinity()};
+        for (std::size_t i = 0; i < seeds.size(); ++i)
+            if (const double d = geometry::distance(seeds[i].at, centreOf(drape.triangles[t], drape.start));
+                seeds[i].piece == pieceOf(t) && d < nearest.second)
+                nearest = {static_cast<int>(i), d};
+        return nearest;
+    };
+    for (std::size_t t = 0; t < drape.triangles.size(); ++t)
+        if (nearestTo(t).second > size) seeds.push_back({pieceOf(t), centreOf(drape.triangles[t], drape.start)});
+    std::vector<int> patches;
+    for (std::size_t t = 0; t < drape.triangles.size(); ++t) patches.push_back(nearestTo(t).first);
+    return patches;
+}
+
+/// The share of the area in patches whose right side faces away from the body on the whole. A single triangle may face
+/// it: folds hang over. What a fold adds to ∫ n·dA of a patch on one flank it takes away on the other.
 double rightSideShare(const Drape& drape, const collision::BodySurface& surface) {
     constexpr double searchRadius = 0.5; // cloth farther off than this from the body is not worn anyway
+    const std::vector<int> patches = patchesOf(drape);
+    std::vector<double> areas(patches.size(), 0), outward(patches.size(), 0);
+    for (std::size_t t = 0; t < patches.size(); ++t) {
+        const auto& [a, b, c] = drape.triangles[t];
+        const Vec3& corner = drape.positions[a];
+        const Vec3 doubledArea = cross(drape.positions[b] - corner, drape.positions[c] - corner);
+        areas[patches[t]] += 0.5 * length(doubledArea);
+        if (const auto nearest = surface.nearest(centreOf(drape.triangles[t], drape.positions), searchRadius))
+            outward[patches[t]] += 0.5 * dot(nearest->normal, doubledArea);
+    }
     double whole = 0, right = 0;
-    for (const auto& [a, b, c] : drape.triangles) {
-        const Vec3 &pa = drape.positions[a], &pb = drape.positions[b], &pc = drape.positions[c];
-        const Vec3 doubledArea = cross(pb - pa, pc - pa);
-        const double area = 0.5 * length(doubledArea);
-        whole += area;
-        const auto nearest = surface.nearest((pa + pb + pc) / 3, searchRadius);
-        if (nearest && dot(nearest->normal, doubledArea) > 0) right += area;
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        whole += areas[i];
+        if (outward[i] > 0) right += areas[i];
     }
     return whole > 0 ? right / whole : 0;
 }

@@ -34,7 +34,7 @@ struct WornReport {
     std::vector<std::string> why; ///< a sentence for each condition that fails; empty when worn
     std::vector<OpeningReport> openings;
     double turnedLength = 0;                  ///< of seams that join right side to wrong side [m]
-    double rightSideOut = 0;                  ///< share of the area whose right side faces away from the body
+    double rightSideOut = 0;                  ///< share of the area whose right side faces away from the body, patch by patch
     std::optional<double> napeDistance;       ///< [m]; of garments with a neck opening
     std::optional<double> symmetryDifference; ///< [m]; of patterns with mirror pieces
     std::optional<double> waistDrop;          ///< [m]; of garments without a neck opening
@@ -45,6 +45,7 @@ struct Drape {
     std::vector<std::array<int, 3>> triangles;
     std::vector<Vec3> positions, start;
     std::vector<std::array<int, 2>> mirrorPairs; ///< particles at corners of mirror pieces and their sources
+    std::vector<int> piece = {};                 ///< of each triangle; empty = all of one
 };
 
 [[nodiscard]] WornReport wornReport(const Drape& drape, const body::Body& body, const collision::BodySurface& surface,

@@ -108,6 +108,8 @@ private slots:
     void aSleevePlacedOnTheOtherSideIsSaid();
     void insideOutIsSeen();
     void theShareOfTheRightSideIsOfTheArea();
+    void aFoldThatHangsOverIsNotInsideOut();
+    void aPieceInsideOutIsSeenThoughItIsSewnToOthers();
     void aSeamSewnTheWrongWayRoundIsMeasured();
     void aWaistThatSlidIsSaid();
     void theBackNeckPointIsMeasuredToTheNape();
@@ -184,8 +186,29 @@ void tst_Worn::theShareOfTheRightSideIsOfTheArea() {
     Drape drape = skirt();
     Drape turned = tube({0, 0.3, 0}, 0.1, 0.13); // a quarter of the skirt's area, inside out
     for (auto& triangle : turned.triangles) std::swap(triangle[1], triangle[2]);
+    drape.piece.assign(drape.triangles.size(), 0);
+    drape.piece.resize(drape.triangles.size() + turned.triangles.size(), 1);
     append(drape, turned);
     QVERIFY(std::abs(verdictOn(drape).rightSideOut - 0.8) < 1e-12);
+}
+
+void tst_Worn::aFoldThatHangsOverIsNotInsideOut() {
+    Drape drape = skirt(); // and from its hem the cloth turns up and comes down again outside: a pleat round the body
+    appendRing(drape.positions, {0, 0.8, 0}, 0.15);
+    appendRing(drape.positions, {0, 0.5, 0}, 0.17);
+    appendBand(drape.triangles, 2 * around, 0); // faces the body
+    appendBand(drape.triangles, 3 * around, 2 * around);
+    drape.start = drape.positions;
+    QCOMPARE(verdictOn(drape).rightSideOut, 1.0);
+}
+
+void tst_Worn::aPieceInsideOutIsSeenThoughItIsSewnToOthers() {
+    Drape drape = skirt();
+    for (std::size_t t = 0; t < drape.triangles.size(); ++t) {
+        drape.piece.push_back(t < drape.triangles.size() / 4);
+        if (drape.piece.back() == 1) std::swap(drape.triangles[t][1], drape.triangles[t][2]);
+    }
+    QVERIFY(std::abs(verdictOn(drape).rightSideOut - 0.75) < 1e-12);
 }
 
 void tst_Worn::aSeamSewnTheWrongWayRoundIsMeasured() {
