@@ -15,6 +15,9 @@ struct Order {
     std::uint64_t generation = 0;
 };
 
+/// Told to play, a garment at rest goes on at least this long before it rests again: it may creep [s].
+constexpr double atLeast = 0.5;
+
 } // namespace
 
 /// Everything above the line is touched by both threads, everything below by the worker's alone.
@@ -30,8 +33,12 @@ public:
         orders_.put(std::move(order));
         wake();
     }
-    void setPlaying(bool playing) {
-        playing_ = playing;
+    void play() {
+        playing_ = pushed_ = true;
+        wake();
+    }
+    void pause() {
+        playing_ = false;
         wake();
     }
     void requestStep() {
@@ -45,6 +52,7 @@ public:
         wake();
     }
     [[nodiscard]] bool isPlaying() const { return playing_; }
+    [[nodiscard]] bool isBusy() const { return idleSince_ != signal_; }
     [[nodiscard]] std::optional<Frame> takeFrame() { return frames_.take(); }
 
 private:
@@ -57,8 +65,10 @@ private:
     Mailbox<Order> orders_;
     Mailbox<Frame> frames_;
     std::atomic<bool> playing_{false}, reset_{false};
+    std::atomic<bool> pushed_{false}; ///< play was ordered and not seen yet
     std::atomic<int> steps_{0};
-    std::atomic<std::uint64_t> signal_{0};
+    std::atomic<std::uint64_t> signal_{1};    ///< counts orders
+    std::atomic<std::uint64_t> idleSince_{0}; ///< the order after which there was nothing left to do
 
     // -- the worker's
     void run(std::stop_token stop) {
@@ -66,16 +76,21 @@ private:
             const std::uint64_t seen = signal_;
             if (auto order = orders_.take()) accept(std::move(*order));
             if (reset_.exchange(false)) restart();
+            if (pushed_.exchange(false) && simulation_) playUntil_ = simulation_->state().time + atLeast;
             if (steps_ > 0) {
                 --steps_;
                 advance();
-            } else if (playing_ && simulation_) {
+            } else if (playing_ && simulation_ && !rests()) {
                 advance();
             } else {
+                idleSince_ = seen;
                 signal_.wait(seen); // returns at once when something was ordered meanwhile
             }
         }
     }
+
+    /// A garment at rest costs nothing: the thread sleeps, and what is playing stays playing, for the next edit.
+    [[nodiscard]] bool rests() const { return resting_ && simulation_->state().time >= playUntil_; }
 
     void accept(Order order) {
         scene_ = std::move(order.scene);
@@ -109,6 +124,7 @@ private:
         Frame frame = simulation_ ? simulation_->frame() : Frame{};
         frame.generation = generation_;
         frame.message = std::move(message);
+        resting_ = frame.atRest;
         frames_.put(std::move(frame));
     }
 
@@ -120,6 +136,8 @@ private:
     Scene scene_;
     std::uint64_t generation_ = 0;
     std::optional<Simulation> simulation_;
+    bool resting_ = false; ///< the frame published last is at rest
+    double playUntil_ = 0; ///< at rest or not [s]
 
     std::jthread thread_; // last: starts when all else stands, ends before all else goes
 };
@@ -128,11 +146,12 @@ Runner::Runner() : worker_(std::make_unique<Worker>()) {}
 Runner::~Runner() = default;
 
 void Runner::setScene(Scene scene, std::uint64_t generation) { worker_->order({std::move(scene), generation}); }
-void Runner::play() { worker_->setPlaying(true); }
-void Runner::pause() { worker_->setPlaying(false); }
+void Runner::play() { worker_->play(); }
+void Runner::pause() { worker_->pause(); }
 void Runner::step() { worker_->requestStep(); }
 void Runner::reset() { worker_->requestReset(); }
 bool Runner::isPlaying() const { return worker_->isPlaying(); }
+bool Runner::isBusy() const { return worker_->isBusy(); }
 std::optional<Frame> Runner::takeFrame() { return worker_->takeFrame(); }
 
 } // namespace toile::simulation

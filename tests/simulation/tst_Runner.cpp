@@ -17,6 +17,7 @@ private slots:
     void aStepIsOneFrame();
     void resetReturnsToThePlacement();
     void aWrongSceneGivesAMessage();
+    void aGarmentAtRestSleepsUntilSomethingChanges();
     void fiveHundredEditsWhileItSews();
 
 private:
@@ -83,6 +84,32 @@ void tst_Runner::aWrongSceneGivesAMessage() {
     const auto frame = waitForFrame(runner, [](const Frame& f) { return !f.message.empty(); });
     QVERIFY(frame);
     QVERIFY(frame->positions.empty());
+}
+
+void tst_Runner::aGarmentAtRestSleepsUntilSomethingChanges() {
+    Runner runner;
+    Scene scene = twoSquares(0.05);
+    scene.pattern.seams.clear();
+    scene.settings.gravity = {};
+    runner.setScene(scene, 1);
+    runner.play();
+    const auto sleeps = [&] { return QTest::qWaitFor([&] { return !runner.isBusy(); }, 60000); };
+    QVERIFY(sleeps());
+    const auto resting = runner.takeFrame();
+    QVERIFY(resting && resting->atRest);
+    QVERIFY(runner.isPlaying()); // it would go on if there were something to do
+
+    runner.play(); // asked again, it goes on for a while
+    QVERIFY(sleeps());
+    const auto pushed = runner.takeFrame();
+    QVERIFY(pushed && pushed->time >= resting->time + 0.5);
+
+    scene.settings.gravity = {0, -9.81, 0}; // an edit
+    runner.setScene(scene, 2);
+    QVERIFY(runner.isBusy());
+    QVERIFY(waitForFrame(runner, [&](const Frame& f) { return f.generation == 2 && f.time > pushed->time + 0.1; }));
+    runner.pause();
+    QVERIFY(sleeps());
 }
 
 void tst_Runner::fiveHundredEditsWhileItSews() {

@@ -18,7 +18,7 @@ struct FakeSimulation : Simulation {
     struct Log {
         std::vector<std::uint64_t> generations;
         std::optional<simulation::Frame> frame;
-        bool playing = false;
+        bool playing = false, busy = false;
         int resets = 0;
     };
     explicit FakeSimulation(Log& l) : log(l) {}
@@ -28,6 +28,7 @@ struct FakeSimulation : Simulation {
     void step() override {}
     void reset() override { ++log.resets; }
     bool isPlaying() const override { return log.playing; }
+    bool isBusy() const override { return log.busy; }
     std::optional<simulation::Frame> takeFrame() override { return std::exchange(log.frame, std::nullopt); }
     Log& log;
 };
@@ -66,6 +67,7 @@ private Q_SLOTS:
     void anEditMakesANewScene();
     void movingOnTheTableMakesNoNewScene();
     void olderFramesAreDropped();
+    void framesAreAskedForOnlyWhileSomethingHappens();
     void anotherDocumentBeginsAnew();
     void meshesOfTheNewestPatternArrive();
     void undoBringsTheValueBack();
@@ -109,6 +111,24 @@ void tst_Workbench::olderFramesAreDropped() {
     fixture.log.frame = frameOf(bench.generation());
     bench.pollFrame();
     QVERIFY(bench.frame());
+}
+
+void tst_Workbench::framesAreAskedForOnlyWhileSomethingHappens() {
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    fixture.log.busy = true;
+    bench.apply({QStringLiteral("Draw"), twoRectangles()});
+    QVERIFY(bench.isFollowing());
+    bench.pollFrame();
+    QVERIFY(bench.isFollowing());
+    fixture.log.busy = false;
+    fixture.log.frame = frameOf(bench.generation());
+    bench.pollFrame();
+    QVERIFY(bench.frame().has_value()); // the last frame is still taken
+    QVERIFY(!bench.isFollowing());
+    fixture.log.busy = true;
+    bench.play();
+    QVERIFY(bench.isFollowing());
 }
 
 void tst_Workbench::anotherDocumentBeginsAnew() {

@@ -56,9 +56,10 @@ void StatusLine::showPointer(Vec2 position) {
 
 void StatusLine::showFrame(const simulation::Frame* frame, bool playing) {
     const SimulationTexts texts = frame ? textsOf(*frame) : SimulationTexts{};
-    state_->setText(playing ? tr("Running") : frame && frame->atRest ? tr("At rest") : tr("Paused"));
+    const bool rests = frame && frame->atRest;
+    state_->setText(rests ? tr("At rest") : playing ? tr("Running") : tr("Paused"));
     time_->setText(texts.time);
-    rate_->setText(playing ? texts.rate : QString());
+    rate_->setText(playing && !rests ? texts.rate : QString());
     particles_->setText(texts.particles);
     gap_->setText(texts.gap);
 }

@@ -17,6 +17,7 @@ public:
     void step() override { runner_.step(); }
     void reset() override { runner_.reset(); }
     [[nodiscard]] bool isPlaying() const override { return runner_.isPlaying(); }
+    [[nodiscard]] bool isBusy() const override { return runner_.isBusy(); }
     [[nodiscard]] std::optional<simulation::Frame> takeFrame() override { return runner_.takeFrame(); }
 
 private:

@@ -19,6 +19,7 @@ public:
     virtual void step() = 0;
     virtual void reset() = 0;
     [[nodiscard]] virtual bool isPlaying() const = 0;
+    [[nodiscard]] virtual bool isBusy() const = 0; ///< frames will come
     [[nodiscard]] virtual std::optional<simulation::Frame> takeFrame() = 0;
 };
 

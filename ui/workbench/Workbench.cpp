@@ -56,7 +56,6 @@ Workbench::Workbench(WorkbenchParts parts, QObject* parent)
     });
     frames_.setInterval(framePeriod);
     connect(&frames_, &QTimer::timeout, this, &Workbench::pollFrame);
-    if (parts_.simulation) frames_.start();
     recovery_.setSingleShot(true);
     recovery_.setInterval(parts_.recoveryDelay);
     connect(&recovery_, &QTimer::timeout, this, &Workbench::record);
@@ -181,27 +180,34 @@ void Workbench::play() {
     if (!parts_.simulation) return tell(tr("There is no simulation in this build."), true);
     if (bodyLoading_) playWhenReady_ = true;
     else parts_.simulation->play();
-    pollFrame();
+    follow();
 }
 
 void Workbench::pause() {
     playWhenReady_ = false;
     if (parts_.simulation) parts_.simulation->pause();
-    pollFrame();
+    follow();
 }
 
 void Workbench::step() {
     if (parts_.simulation) parts_.simulation->step();
-    pollFrame();
+    follow();
 }
 
 void Workbench::reset() {
     if (parts_.simulation) parts_.simulation->reset();
+    follow();
+}
+
+void Workbench::follow() {
+    if (!parts_.simulation) return;
+    frames_.start();
     pollFrame();
 }
 
 void Workbench::pollFrame() {
     if (!parts_.simulation) return;
+    if (!parts_.simulation->isBusy()) frames_.stop(); // asked before the frame is taken: the last one is not missed
     if (auto frame = parts_.simulation->takeFrame(); frame && frame->generation == generation_ && scene_) {
         if (!frame->message.empty()) tell(QString::fromStdString(frame->message), true);
         if (frame->positions.empty()) frame_.reset(); // it could not be built
@@ -268,6 +274,7 @@ void Workbench::handOver() {
     if (!parts_.simulation) return;
     parts_.simulation->setScene(*scene_, generation_);
     if (std::exchange(resetNext_, false)) parts_.simulation->reset(); // another document: its drape is not carried over
+    frames_.start();
 }
 
 void Workbench::record() {

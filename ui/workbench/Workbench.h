@@ -73,8 +73,9 @@ public:
     void pause();
     void step();
     void reset();
-    /// Asks for a new frame; called by a timer 60 times a second.
+    /// Asks for a new frame; called by a timer 60 times a second while the simulation has something to do.
     void pollFrame();
+    [[nodiscard]] bool isFollowing() const { return frames_.isActive(); }
 
     void tell(const QString& message, bool isProblem = false);
 
@@ -93,6 +94,7 @@ private:
     void documentMoved();
     void loadBody();
     void takeBody(const QString& file, Result<body::Body> body);
+    void follow();   ///< what was ordered
     void handOver(); ///< document → mesh preview and simulation
     void record();
 
