@@ -58,6 +58,7 @@ private slots:
     void aRingTurnsAboutItsAxisThroughThePivot();
     void turnsGoOnPastHalfACircle();
     void aRingSeenEdgeOnStillTurns();
+    void anArrowIsMeantWhereARingSeenEdgeOnCoversIt();
     void anArrowAlongTheLineOfSightIsNotOffered();
     void draggingBackGivesTheFirstPlacement();
     void stepsAreWholeCentimetresAndFiveDegrees();
@@ -124,14 +125,22 @@ void tst_PlacementGizmo::turnsGoOnPastHalfACircle() {
 void tst_PlacementGizmo::aRingSeenEdgeOnStillTurns() {
     const GizmoView level{{.target = pivot, .distance = 2.5}, {800, 600}}; // the ring about y is a level line
     PlacementGizmo gizmo(Transform{}, pivot);
-    QCOMPARE(gizmo.handleAt(level, {430, 300}), GizmoHandle::turnY);
-    QVERIFY(gizmo.press(level, {430, 300}));
-    const Transform turned = gizmo.drag(level, {440, 300});
+    QCOMPARE(gizmo.handleAt(level, {370, 300}), GizmoHandle::turnY);
+    QVERIFY(gizmo.press(level, {370, 300}));
+    const Transform turned = gizmo.drag(level, {380, 300});
     QVERIFY(isRigid(turned));
     // The front of the ring follows the pointer: to the right is counter-clockwise seen from above; 70 px are
     // 1 rad, but for the front being nearer to the eye than the pivot.
     const double angle = std::atan2(-turned.axisX.z, turned.axisX.x);
     QVERIFY2(std::abs(angle - 10.0 / 70) < 0.02, QByteArray::number(angle));
+}
+
+void tst_PlacementGizmo::anArrowIsMeantWhereARingSeenEdgeOnCoversIt() {
+    const GizmoView level{{.target = pivot, .distance = 2.5}, {800, 600}};
+    const PlacementGizmo gizmo(Transform{}, pivot);
+    QCOMPARE(gizmo.handleAt(level, {440, 300}), GizmoHandle::moveX);
+    QCOMPARE(gizmo.handleAt(level, {400, 250}), GizmoHandle::moveY);
+    QCOMPARE(gizmo.handleAt(level, {400, 350}), GizmoHandle::turnX); // there is no arrow on this side
 }
 
 void tst_PlacementGizmo::anArrowAlongTheLineOfSightIsNotOffered() {

@@ -24,6 +24,9 @@ constexpr double edgeOn = 0.2;        // rings whose axis is farther from it tha
 constexpr int ringCorners = 72;
 constexpr std::array handles{GizmoHandle::moveX, GizmoHandle::moveY, GizmoHandle::moveZ,
                              GizmoHandle::turnX, GizmoHandle::turnY, GizmoHandle::turnZ};
+constexpr std::array drawingOrder{GizmoHandle::turnX, GizmoHandle::turnY,
+                                  GizmoHandle::turnZ, GizmoHandle::moveX,
+                                  GizmoHandle::moveY, GizmoHandle::moveZ}; // arrows on top
 
 bool turns(GizmoHandle handle) {
     return handle >= GizmoHandle::turnX;
@@ -156,19 +159,27 @@ Transform turnedAbout(const Vec3& point, const Vec3& unitAxis, double angle) {
 }
 
 GizmoHandle PlacementGizmo::handleAt(const GizmoView& view, Vec2 pixel) const {
-    GizmoHandle best = GizmoHandle::none;
-    Touched bestTouch{touch, 0};
-    for (const GizmoHandle handle : handles) {
-        if (!isOffered(handle, view, pivot_)) continue;
-        const auto here = nearestOn(outlineOf(handle, view, pivot_), view, pixel);
-        if (!here || here->pixels > touch) continue;
-        const bool better = best == GizmoHandle::none || here->pixels < bestTouch.pixels - 2 ||
-                            (here->pixels < bestTouch.pixels + 2 && here->depth < bestTouch.depth);
-        if (!better) continue;
-        best = handle;
-        bestTouch = *here;
-    }
-    return best;
+    const auto nearest = [&](bool ring) {
+        GizmoHandle best = GizmoHandle::none;
+        Touched bestTouch{touch, 0};
+        for (const GizmoHandle handle : handles) {
+            if (turns(handle) != ring || !isOffered(handle, view, pivot_)) continue;
+            const auto here = nearestOn(outlineOf(handle, view, pivot_), view, pixel);
+            if (!here || here->pixels > touch) continue;
+            const bool better = best == GizmoHandle::none || here->pixels < bestTouch.pixels - 2 ||
+                                (here->pixels < bestTouch.pixels + 2 && here->depth < bestTouch.depth);
+            if (!better) continue;
+            best = handle;
+            bestTouch = *here;
+        }
+        return std::pair(best, bestTouch.pixels);
+    };
+    // A ring seen edge-on covers an arrow's shaft: there the arrow is meant.
+    const auto [arrow, fromArrow] = nearest(false);
+    const auto [ring, fromRing] = nearest(true);
+    const bool ringIsMeant =
+        ring != GizmoHandle::none && (arrow == GizmoHandle::none || fromRing < fromArrow - 2);
+    return ringIsMeant ? ring : arrow;
 }
 
 bool PlacementGizmo::hover(const GizmoView& view, Vec2 pixel) {
@@ -252,7 +263,7 @@ void PlacementGizmo::cancel() {
 
 std::vector<Stroke> PlacementGizmo::strokes(const GizmoView& view) const {
     std::vector<Stroke> strokes;
-    for (const GizmoHandle handle : handles) {
+    for (const GizmoHandle handle : drawingOrder) {
         if (isDragging() ? handle != held_ : !isOffered(handle, view, pivot_)) continue;
         const bool lit = handle == held_ || handle == hovered_;
         const auto add = turns(handle) ? addRing : addArrow;

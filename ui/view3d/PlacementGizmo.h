@@ -33,7 +33,8 @@ public:
     [[nodiscard]] GizmoHandle hovered() const { return hovered_; }
     [[nodiscard]] bool isDragging() const { return held_ != GizmoHandle::none; }
 
-    /// The handle under a pixel position; the one nearer to the eye where two are touched alike.
+    /// The handle under a pixel position; where two are touched alike an arrow rather than a ring, then the
+    /// one nearer to the eye.
     [[nodiscard]] GizmoHandle handleAt(const GizmoView& view, Vec2 pixel) const;
     /// The handle under the pointer lights up; true when that changed.
     bool hover(const GizmoView& view, Vec2 pixel);

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "UiFixtures.h"
+#include "WindowFixture.h"
+#include "core/io/ToileFile.h"
+
+#include <QLabel>
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <QTemporaryDir>
+
+#include <csignal>
+
+using namespace toile;
+using namespace toile::ui;
+
+/// Files through the window: dialogs answered by simulated input.
+class tst_FileCommands : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { prepareApplication(); }
+    void theDrapeIsExported_data();
+    void theDrapeIsExported();
+    void withoutADrapeThereIsNothingToExport();
+    void aGarmentCodePatternIsImported();
+    void aBrokenFileIsRefusedWithASentence();
+    void workOfAKilledProgramIsRecovered();
+    void lostWorkCanBeDiscarded();
+};
+
+namespace {
+
+/// Two panels of 20 × 30 cm, one behind the other, sewn at both sides.
+constexpr auto twoPanels = R"({"pattern": {"panels": {
+ "front": {"vertices": [[0,0],[20,0],[20,30],[0,30]], "translation": [-10,100,20], "rotation": [0,0,0],
+  "edges": [{"endpoints":[0,1]}, {"endpoints":[1,2]}, {"endpoints":[2,3]}, {"endpoints":[3,0]}]},
+ "back": {"vertices": [[0,0],[20,0],[20,30],[0,30]], "translation": [10,100,-20], "rotation": [0,180,0],
+  "edges": [{"endpoints":[0,1]}, {"endpoints":[1,2]}, {"endpoints":[2,3]}, {"endpoints":[3,0]}]}},
+ "stitches": [[{"panel":"front","edge":1}, {"panel":"back","edge":3}], [{"panel":"front","edge":3}, {"panel":"back","edge":1}]]},
+"properties": {"curvature_coords": "relative", "units_in_meter": 100}})";
+
+QString written(const QTemporaryDir& folder, const char* name, const char* text) {
+    QFile file(folder.filePath(QLatin1String(name)));
+    if (!file.open(QIODevice::WriteOnly)) qFatal("cannot write %s", name);
+    file.write(text);
+    return file.fileName();
+}
+
+/// This very test as a program that edits and is killed before it saves.
+bool crashAfterAnEdit(const QString& recoveryFolder) {
+    QProcess program;
+    program.start(QCoreApplication::applicationFilePath(), {QStringLiteral("crash"), recoveryFolder});
+    return program.waitForFinished(60000) && program.exitStatus() == QProcess::CrashExit;
+}
+
+[[noreturn]] int crash(const QString& recoveryFolder) {
+    WorkbenchParts parts = realParts(recoveryFolder);
+    parts.recoveryDelay = std::chrono::milliseconds(1);
+    Workbench workbench(std::move(parts));
+    workbench.apply({QStringLiteral("Draw"), twoRectangles()});
+    while (workbench.journal() &&
+           QDir(recoveryFolder).entryList({QStringLiteral("*.txt")}, QDir::Files).isEmpty())
+        QCoreApplication::processEvents();
+    std::raise(SIGKILL);
+    std::abort();
+}
+
+void answerRecovery(const QString& button) {
+    Bench::whenAsked<QMessageBox>([button](QMessageBox& box) {
+        for (QAbstractButton* each : box.buttons())
+            if (each->text() == button) return each->click();
+        QFAIL("there is no such answer");
+    });
+}
+
+} // namespace
+
+void tst_FileCommands::theDrapeIsExported_data() {
+    QTest::addColumn<QString>("asked");
+    QTest::addColumn<QString>("file");
+    QTest::newRow("glTF") << "drape.glb"
+                          << "drape.glb";
+    QTest::newRow("OBJ") << "drape.obj"
+                         << "drape.obj";
+    QTest::newRow("glTF where no ending is given") << "drape"
+                                                   << "drape.glb";
+}
+
+void tst_FileCommands::theDrapeIsExported() {
+    QFETCH(QString, asked);
+    QFETCH(QString, file);
+    QTemporaryDir folder;
+    Bench bench;
+    QVERIFY(bench.workbench.openCopy(qEnvironmentVariable("TOILE_SOURCE_DIR") +
+                                     QStringLiteral("/samples/two-squares.toile")));
+    QTRY_VERIFY(bench.workbench.frame().has_value());
+    Bench::nextFile(folder.filePath(asked));
+    bench.key(Qt::Key_E, Qt::ControlModifier);
+    QVERIFY(QFileInfo(folder.filePath(file)).size() > 1000);
+}
+
+void tst_FileCommands::withoutADrapeThereIsNothingToExport() {
+    Bench bench;
+    bench.key(Qt::Key_E, Qt::ControlModifier); // asks for no file
+    QVERIFY(bench.find<QLabel>("statusMessage")->text().contains(QStringLiteral("no drape")));
+}
+
+void tst_FileCommands::aGarmentCodePatternIsImported() {
+    QTemporaryDir folder;
+    Bench bench;
+    Bench::nextFile(written(folder, "panels.json", twoPanels));
+    bench.key(Qt::Key_O, Qt::ControlModifier);
+    QCOMPARE(bench.pattern().pieces.size(), std::size_t(2));
+    QCOMPARE(bench.pattern().seams.size(), std::size_t(2));
+    QVERIFY(bench.window.isWindowModified());  // it is no document of ours yet
+    QVERIFY(bench.workbench.path().isEmpty()); // saving asks where to
+    QTRY_COMPARE(bench.workbench.mesh().size(), std::size_t(2));
+}
+
+void tst_FileCommands::aBrokenFileIsRefusedWithASentence() {
+    QTemporaryDir folder;
+    Bench bench;
+    bench.workbench.startFrom(twoRectangles(), {}, false);
+    QString sentence;
+    Bench::whenAsked<QMessageBox>([&](QMessageBox& box) {
+        sentence = box.informativeText();
+        box.accept();
+    });
+    QVERIFY(!bench.window.files().openFile(
+        written(folder, "broken.toile", "{\"format\": \"toile\", \"version\": 1, ")));
+    QVERIFY(sentence.contains(QStringLiteral("broken.toile")));
+    QVERIFY(bench.workbench.document() == twoRectangles()); // what was open stays
+}
+
+void tst_FileCommands::workOfAKilledProgramIsRecovered() {
+    QTemporaryDir folder;
+    QVERIFY(crashAfterAnEdit(folder.path()));
+    {
+        Bench bench(folder.path());
+        answerRecovery(QStringLiteral("Later"));
+        bench.window.files().offerRecovery();
+        QVERIFY(bench.pattern().pieces.empty()); // and it is offered again
+    }
+    Bench bench(folder.path());
+    answerRecovery(QStringLiteral("Recover"));
+    bench.window.files().offerRecovery();
+    QVERIFY(bench.workbench.document() == *io::asWritten(twoRectangles()));
+    QVERIFY(bench.window.isWindowModified());
+    QVERIFY(bench.workbench.journal()->leftovers().empty()); // it is ours now, and kept under our name
+    bench.workbench.journal()->clear();
+}
+
+void tst_FileCommands::lostWorkCanBeDiscarded() {
+    QTemporaryDir folder;
+    QVERIFY(crashAfterAnEdit(folder.path()));
+    Bench bench(folder.path());
+    answerRecovery(QStringLiteral("Discard"));
+    bench.window.files().offerRecovery();
+    QVERIFY(bench.pattern().pieces.empty());
+    QVERIFY(bench.workbench.journal()->leftovers().empty());
+    QVERIFY(QDir(folder.path()).entryList({QStringLiteral("*.toile")}, QDir::Files).isEmpty());
+}
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    if (argc == 3 && qstrcmp(argv[1], "crash") == 0) return crash(QString::fromLocal8Bit(argv[2]));
+    tst_FileCommands tests;
+    return QTest::qExec(&tests, argc, argv);
+}
+#include "tst_FileCommands.moc"
