@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace toile::dynamics {
 namespace {
@@ -15,8 +16,8 @@ namespace {
 constexpr double deepOverlap = 0.001;
 /// Within which the normal force of the substeps is averaged [s].
 constexpr double forceMemory = 1.0 / 60;
-/// Friction of one iteration rests on at least this part of the normal force of the iteration before, so that a short
-/// Newton step, which leaves the contact behind for a moment, does not let the garment slide off [–].
+/// Friction of one iteration rests on at least this part of the normal force of the iteration before, so that
+/// a short Newton step, which leaves the contact behind for a moment, does not let the garment slide off [–].
 constexpr double keptNormalForce = 0.5;
 
 /// Normal displacement a substep must reach, as a signed distance to the plane [m].
@@ -27,16 +28,23 @@ double allowedDistance(double before, double wanted, double duration, const Body
     return before + std::min(eased, settings.pushOutSpeed * duration);
 }
 
-Vec3 tangential(const Vec3& v, const Vec3& normal) { return v - normal * dot(v, normal); }
+Vec3 tangential(const Vec3& v, const Vec3& normal) {
+    return v - normal * dot(v, normal);
+}
 
-/// Smoothed |u| with f'(0) = 0, equal to |u| from give on. Ref: Li et al. 2020, Incremental Potential Contact, §5.
+/// Smoothed |u| with f'(0) = 0, equal to |u| from give on. Ref: Li et al. 2020, Incremental Potential
+/// Contact, §5.
 double smoothLength(double u, double give) {
     return u >= give ? u : u * u / give - u * u * u / (3 * give * give) + give / 3;
 }
 /// Its derivative over u.
-double smoothSlopeOverLength(double u, double give) { return u >= give ? 1 / u : 2 / give - u / (give * give); }
+double smoothSlopeOverLength(double u, double give) {
+    return u >= give ? 1 / u : 2 / give - u / (give * give);
+}
 /// Its second derivative.
-double smoothCurvature(double u, double give) { return u >= give ? 0 : 2 / give - 2 * u / (give * give); }
+double smoothCurvature(double u, double give) {
+    return u >= give ? 0 : 2 / give - 2 * u / (give * give);
+}
 
 void addOuter(double (&block)[9], const Vec3& a, double factor) {
     for (int r = 0; r < 3; ++r)
@@ -44,7 +52,8 @@ void addOuter(double (&block)[9], const Vec3& a, double factor) {
 }
 
 /// ∂²/∂x² of μN·smoothLength(|T x|), positive semi-definite.
-void addFrictionCurvature(double (&block)[9], const Vec3& slip, const Vec3& normal, double limit, double give) {
+void addFrictionCurvature(double (&block)[9], const Vec3& slip, const Vec3& normal, double limit,
+                          double give) {
     const double u = length(slip);
     const double across = limit * smoothSlopeOverLength(u, give);
     for (int axis = 0; axis < 3; ++axis) block[4 * axis] += across;
@@ -52,14 +61,35 @@ void addFrictionCurvature(double (&block)[9], const Vec3& slip, const Vec3& norm
     if (u > 0) addOuter(block, slip / u, limit * smoothCurvature(u, give) - across);
 }
 
+/// Gershgorin rows of what the samples add to M⁻¹K [1/s²]. Particles that have no sample of their own are
+/// carried by others; their mass is not known here.
+double boundOf(std::span<const ContactSample> samples, const BodyContactSettings& settings) {
+    constexpr double deepestDent = 4e-4; // [m]
+    std::map<int, double> mass, row;
+    for (const ContactSample& sample : samples)
+        if (sample.particles.size() == 1 && sample.mass > 0) mass[sample.particles[0].first] = sample.mass;
+    for (const ContactSample& sample : samples) {
+        const double friction = 2 * sample.friction * deepestDent / settings.frictionGive;
+        double sum = 0;
+        for (const auto& [particle, weight] : sample.particles) sum += weight;
+        for (const auto& [particle, weight] : sample.particles)
+            row[particle] += settings.stiffness * sample.mass * std::max(1.0, friction) * weight * sum;
+    }
+    double largest = 0;
+    for (const auto& [particle, m] : mass) largest = std::max(largest, row[particle] / m);
+    return largest;
+}
+
 } // namespace
 
-std::vector<ContactSample> particleSamples(const cloth::ClothModel& model, std::span<const double> halfThickness,
+std::vector<ContactSample> particleSamples(const cloth::ClothModel& model,
+                                           std::span<const double> halfThickness,
                                            std::span<const double> clothFriction, double bodyFriction) {
     std::vector<ContactSample> samples;
     samples.reserve(model.mass.size());
     for (int i = 0; i < model.particleCount(); ++i)
-        samples.push_back({{{i, 1.0}}, halfThickness[i], std::sqrt(clothFriction[i] * bodyFriction), model.mass[i]});
+        samples.push_back(
+            {{{i, 1.0}}, halfThickness[i], std::sqrt(clothFriction[i] * bodyFriction), model.mass[i]});
     for (const cloth::Slave& slave : model.slaves) {
         ContactSample& sample = samples[slave.particle];
         sample.particles = slave.masters;
@@ -75,8 +105,10 @@ ContactSample middleOf(std::span<const ContactSample* const> corners) {
     for (const ContactSample* corner : corners) {
         for (const auto& [particle, weight] : corner->particles) {
             const auto known = std::ranges::find(middle.particles, particle, &std::pair<int, double>::first);
-            if (known != middle.particles.end()) known->second += share * weight;
-            else middle.particles.emplace_back(particle, share * weight);
+            if (known != middle.particles.end())
+                known->second += share * weight;
+            else
+                middle.particles.emplace_back(particle, share * weight);
         }
         middle.halfThickness += share * corner->halfThickness;
         middle.friction += share * corner->friction;
@@ -92,10 +124,15 @@ BodyContact::BodyContact(const collision::BodySurface& body, std::vector<Contact
     for (const ContactSample& given : samples) {
         expects(!given.particles.empty(), "a contact sample lies on particles");
         samples_.push_back({static_cast<int>(terms_.size()), static_cast<int>(given.particles.size()),
-                            settings.skinOffset + given.halfThickness, given.friction, settings.stiffness * given.mass,
-                            0});
+                            settings.skinOffset + given.halfThickness, given.friction,
+                            settings.stiffness * given.mass, 0});
         for (const auto& [particle, weight] : given.particles) terms_.push_back({particle, weight});
     }
+    frequencySquared_ = boundOf(samples, settings);
+}
+
+double BodyContact::largestFrequencySquared() const {
+    return frequencySquared_;
 }
 
 std::size_t BodyContact::bytes() const {
@@ -103,7 +140,15 @@ std::size_t BodyContact::bytes() const {
            anchors_.capacity() * sizeof(Vec3) + touches_.capacity() * sizeof(Touch);
 }
 
-void BodyContact::beginStep(const ParticleState&, double) { anchors_.clear(); }
+/// What has slipped further than friction gives drags its anchor behind it; what has not keeps it, and so
+/// sticks without creeping from step to step.
+void BodyContact::beginStep(const ParticleState& state, double) {
+    for (std::size_t s = 0; s < anchors_.size(); ++s) {
+        const Vec3 now = at(samples_[s], state.positions), slip = now - anchors_[s];
+        const double slipped = length(slip);
+        if (slipped > settings_.frictionGive) anchors_[s] = now - slip * (settings_.frictionGive / slipped);
+    }
+}
 
 void BodyContact::project(Substep& substep) {
     anchors_.clear();
@@ -123,12 +168,13 @@ void BodyContact::project(Substep& substep) {
                 continue;
             }
         }
-        if (const auto* near = tracker_.near(s, now, sample.distance)) resolve(sample, *near, now, before, substep);
+        if (const auto* near = tracker_.near(s, now, sample.distance))
+            resolve(sample, *near, now, before, substep);
     }
 }
 
-void BodyContact::resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now, const Vec3& before,
-                          Substep& substep) const {
+void BodyContact::resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now,
+                          const Vec3& before, Substep& substep) const {
     const double start = plane.distance(before);
     const double allowed = allowedDistance(start, sample.distance, substep.duration, settings_);
     const double lift = allowed - plane.distance(now);

@@ -14,37 +14,51 @@
 namespace toile::dynamics {
 
 struct MinimiserSettings {
-    double tolerance = 1e-3;      ///< largest force over mean particle weight [–]
+    double tolerance = 1e-3; ///< largest force over mean particle weight [–]
     int maximumIterations = 300;
-    int memory = 6;               ///< iterations whose worst energy a step may not exceed; 1 = always descend
-    double maximumMove = 0.02;    ///< of any particle in one iteration [m]: as far as contact sees ahead
-    double initialInertia = 100;  ///< first Levenberg weight c of ½c|Δx|²_M [1/s²]; falls towards 0. Statics only
+    int memory = 6;            ///< iterations whose worst energy a step may not exceed; 1 = always descend
+    double maximumMove = 0.02; ///< of any particle in one iteration [m]: as far as contact sees ahead.
+                               ///< Implicit steps without stages go as far as they like
+    double initialInertia =
+        100; ///< first Levenberg weight c of ½c|Δx|²_M [1/s²]; falls towards 0. Statics only
+    int gradientIterations =
+        0; ///< of conjugate gradients at most, before the factor takes over; 0 = factor only
+};
+
+/// Φ(x) = ½c|x − y|²_M + E(x) − Σ m g·x plus the energies of the stages.
+struct MinimiserProblem {
+    Vec3 gravity;
+    std::span<Stage* const> stages;
+    double inertia = 0;           ///< c [1/s²]; 0: statics, y is not read
+    std::span<const Vec3> target; ///< y, one per particle [m]
 };
 
 /// One Newton iteration, for logs and tests.
 struct MinimiserIteration {
-    double energy = 0;   ///< Φ before it [J]
-    double residual = 0; ///< before it, over mean particle weight [–]
-    double inertia = 0;  ///< Levenberg weight used [1/s²]
+    double energy = 0;      ///< Φ before it [J]
+    double residual = 0;    ///< before it, over mean particle weight [–]
+    double inertia = 0;     ///< Levenberg weight used [1/s²]
     double largestMove = 0; ///< [m]
-    int cuts = 0;        ///< of the line search
+    int cuts = 0;           ///< of the line search
     bool projected = false; ///< the exact Hessian was indefinite
 };
 
 struct MinimiserReport {
     bool converged = false;
-    double residual = 0;      ///< at the end, over mean particle weight [–]
-    double residualFloor = 0; ///< what rounding allows: 8·eps·k_max·L over mean particle weight [–]
-    int worstParticle = -1;   ///< where the residual is largest
+    double residual = 0; ///< at the end, over mean particle weight [–]
+    double residualFloor =
+        0; ///< what rounding allows: 8·eps·(k_max + c·m_max)·L over mean particle weight [–]
+    int worstParticle = -1; ///< where the residual is largest
     int iterations = 0, factorizations = 0, analyses = 0;
+    int gradientIterations = 0; ///< of conjugate gradients
     std::vector<MinimiserIteration> log;
 };
 
-/// Minimises ½c|x − y|²_M + E(x) − Σ m g·x over the free particles: elastic energy, gravity and stages.
+/// Minimises Φ over the free particles.
 ///
-/// Newton with CHOLMOD: the exact Hessian first, the projected one where that is indefinite; Armijo line search;
-/// c = 0 (statics) is approached by Levenberg weights that fall while steps are good. Pinned particles and slaves
-/// are eliminated. The core of statics and of implicit steps. Ref: docs/physics/newton.md
+/// Newton: the exact Hessian first, the projected one where that is indefinite; Armijo line search; statics
+/// is approached by Levenberg weights that fall while steps are good. Pinned particles and slaves are
+/// eliminated. The core of statics and of all implicit steps. Ref: docs/physics/newton.md
 class Minimiser {
 public:
     Minimiser(const cloth::ClothModel& model, MinimiserSettings settings = {});
@@ -52,13 +66,19 @@ public:
     Minimiser& operator=(Minimiser&&) noexcept;
     ~Minimiser();
 
-    /// positions: start and result. inertia c [1/s²] and target y; c = 0: y is not read.
-    /// Errors: cancelled, a number that is not finite, a singular system. Not reaching the tolerance is no error:
-    /// see the report.
-    [[nodiscard]] Result<MinimiserReport> minimise(std::span<Vec3> positions, const Vec3& gravity,
-                                                   std::span<Stage* const> stages, double inertia,
-                                                   std::span<const Vec3> target, std::stop_token stop = {},
-                                                   const Progress& progress = {});
+    /// positions: start and result. Errors: cancelled, a number that is not finite, a singular system. Not
+    /// reaching the tolerance is no error: see the report.
+    [[nodiscard]] Result<MinimiserReport> minimise(std::span<Vec3> positions, const MinimiserProblem& problem,
+                                                   std::stop_token stop = {}, const Progress& progress = {});
+    /// One full Newton step with the projected Hessian, wherever it leads.
+    [[nodiscard]] Result<MinimiserReport> iterateOnce(std::span<Vec3> positions,
+                                                      const MinimiserProblem& problem);
+    /// Replaces positions by the others if Φ is lower there; pinned particles stay.
+    void takeBetter(std::span<Vec3> positions, std::span<const Vec3> others,
+                    const MinimiserProblem& problem) const;
+    /// (H + cM)⁻¹ cM d with the last Hessian of a minimisation: what is left of a change that the cloth
+    /// resists. d itself when none was needed. Written to free particles; the others get 0.
+    [[nodiscard]] std::vector<Vec3> resisted(std::span<const Vec3> change, double inertia);
     [[nodiscard]] std::size_t bytes() const;
 
 private:

@@ -49,6 +49,8 @@ public:
     [[nodiscard]] virtual double energy(std::span<const Vec3> positions) const = 0;
     virtual void addForces(std::span<const Vec3> positions, std::span<Vec3> forces) const = 0;
     virtual void addHessian(std::span<const Vec3> positions, HessianSink& sink) const = 0;
+    /// Bound of what its forces add to the squared angular frequency of a particle [1/s²], for explicit methods.
+    [[nodiscard]] virtual double largestFrequencySquared() const { return 0; }
 };
 
 } // namespace toile::dynamics

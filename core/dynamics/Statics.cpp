@@ -9,7 +9,7 @@ Result<StaticReport> solveStatic(const cloth::ClothModel& model, ParticleState& 
                                  std::span<Stage* const> stages, const StaticSettings& settings, std::stop_token stop,
                                  const Progress& progress) {
     const std::vector<Vec3> start = state.positions;
-    auto newton = Minimiser(model, settings).minimise(state.positions, gravity, stages, 0, {}, stop, progress);
+    auto newton = Minimiser(model, settings).minimise(state.positions, {gravity, stages}, stop, progress);
     if (!newton) {
         state.positions = start;
         return tl::unexpected(newton.error());

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/Result.h"
-#include "core/cloth/ClothModel.h"
-#include "core/dynamics/Stage.h"
-
-#include <span>
-#include <vector>
+#include "core/dynamics/FrequencyBound.h"
+#include "core/dynamics/Integrator.h"
 
 namespace toile::dynamics {
 
@@ -16,30 +12,26 @@ struct SymplecticEulerSettings {
     double safety = 0.9;           ///< of the limit 2/ω_max that automatic substeps use [–]
 };
 
-/// v += h·a(x); x += h·v. Explicit: stable only for steps below stepLimit().
-class SymplecticEuler {
+/// v += h·a(x); x += h·v. Explicit: stable only for steps below stepLimit(). First order, keeps energy.
+class SymplecticEuler final : public Integrator {
 public:
-    /// positions: where hinges are bounded; not needed without hinges. The model must outlive it.
-    SymplecticEuler(const cloth::ClothModel& model, SymplecticEulerSettings settings = {},
-                    std::span<const Vec3> positions = {});
+    explicit SymplecticEuler(const cloth::ClothModel& model, SymplecticEulerSettings settings = {})
+        : Integrator(model), settings_(settings), frequency_(model) {}
 
-    /// 2/ω_max by Gershgorin's bound [s]; infinity for a cloth without elements.
-    [[nodiscard]] double stepLimit() const { return stepLimit_; }
+    [[nodiscard]] std::string_view name() const override { return "symplectic-euler"; }
+    [[nodiscard]] std::size_t bytes() const override { return accelerations_.capacity() * sizeof(Vec3); }
+    /// 2/ω_max by Gershgorin's bound; positions: where hinges are bounded, not needed without hinges.
+    [[nodiscard]] double stepLimit(std::span<const Vec3> positions = {},
+                                   std::span<Stage* const> stages = {}) const override;
 
-    /// One step; the error of a refusal names the limit, that of a state that is not finite the particle.
-    /// Stages act by their forces.
-    [[nodiscard]] Result<void> step(ParticleState& state, double duration, const Vec3& gravity,
-                                    std::span<Stage* const> stages = {});
+protected:
+    [[nodiscard]] Result<StepReport> advance(ParticleState& state, double duration, const Vec3& gravity,
+                                             std::span<Stage* const> stages, std::stop_token stop) override;
 
 private:
-    [[nodiscard]] Result<void> substep(ParticleState& state, double h, const Vec3& gravity,
-                                       std::span<Stage* const> stages);
-
-    const cloth::ClothModel& model_;
     SymplecticEulerSettings settings_;
-    double stepLimit_;
-    std::vector<char> held_; ///< pinned or slave
-    std::vector<Vec3> forces_;
+    FrequencyBound frequency_;
+    std::vector<Vec3> accelerations_;
 };
 
 } // namespace toile::dynamics

@@ -31,6 +31,7 @@ public:
     void addHessian(std::span<const Vec3> positions, dynamics::HessianSink& sink) const override {
         stage_->addHessian(positions, sink);
     }
+    [[nodiscard]] double largestFrequencySquared() const override { return stage_->largestFrequencySquared(); }
 
 private:
     template <class Work>

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/BlockCholesky.h"
+
+#include <optional>
+
+namespace toile::dynamics {
+
+/// Solves (A + diag(shift[i]·I)) x = b: by conjugate gradients while they need few iterations, else by
+/// factoring. When they needed too many, the factor alone serves the next 8 solves, then 16, 32, 64.
+class BlockSolver {
+public:
+    /// gradientIterations: of conjugate gradients at most; 0 = always factor.
+    BlockSolver(int blocks, int gradientIterations)
+        : matrix_(blocks), gradientIterations_(gradientIterations) {}
+
+    [[nodiscard]] BlockMatrix& matrix() { return matrix_; }
+    /// Absent if A + shift is found not to be positive definite. tolerance: largest entry of the residual
+    /// that conjugate gradients may leave, in the unit of b.
+    [[nodiscard]] std::optional<std::vector<Vec3>> solve(std::span<const double> shift,
+                                                         std::span<const Vec3> b, double tolerance);
+
+    [[nodiscard]] int analyses() const { return matrix_.analyses(); }
+    [[nodiscard]] int factorizations() const { return matrix_.factorizations(); }
+    [[nodiscard]] int gradientIterations() const { return gradientTotal_; }
+    [[nodiscard]] std::size_t bytes() const { return matrix_.bytes(); }
+
+private:
+    BlockCholesky matrix_;
+    int gradientIterations_;
+    int gradientTotal_ = 0;
+    int factorOnly_ = 0, pause_ = 8; ///< solves left without, and next time, conjugate gradients
+};
+
+} // namespace toile::dynamics
