@@ -114,6 +114,20 @@ Result<Pattern> addSeam(const Pattern& pattern, const EdgePick& a, const EdgePic
     return addSeam(pattern, std::span(&a, 1), std::span(&b, 1), {}, ids);
 }
 
+Result<Pattern> addSeam(const Pattern& pattern, std::array<std::vector<SeamPart>, 2> sides, std::string name, IdSource& ids) {
+    std::array<std::vector<EdgePick>, 2> picks;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (const SeamPart& part : sides[side]) picks[side].push_back({part.piece, part.edge, part.from, part.to});
+    if (auto ok = allCanBeSewn(pattern, picks[0], picks[1]); !ok) return tl::unexpected<Error>(std::move(ok).error());
+    Seam seam;
+    seam.id = ids.take<SeamId>();
+    seam.name = name.empty() ? defaultName(pattern, picks[0].front().piece, picks[1].front().piece) : std::move(name);
+    seam.sides = std::move(sides);
+    Pattern next = pattern;
+    next.seams.push_back(std::move(seam));
+    return next;
+}
+
 Result<Pattern> reverseSeam(const Pattern& pattern, const SeamId& seam) {
     return changed(pattern, seam, [&](Seam& s) -> Result<void> {
         s.sides[1] = turnedRound(std::move(s.sides[1]));

@@ -24,6 +24,9 @@ struct EdgePick {
 [[nodiscard]] Result<Pattern> addSeam(const Pattern& pattern, std::span<const EdgePick> a, std::span<const EdgePick> b,
                                       std::string name, IdSource& ids);
 [[nodiscard]] Result<Pattern> addSeam(const Pattern& pattern, const EdgePick& a, const EdgePick& b, IdSource& ids);
+/// Sews two chains as they are walked here: first meets first.
+[[nodiscard]] Result<Pattern> addSeam(const Pattern& pattern, std::array<std::vector<SeamPart>, 2> sides, std::string name,
+                                      IdSource& ids);
 
 /// Turns side B round: its first end now meets side A's last.
 [[nodiscard]] Result<Pattern> reverseSeam(const Pattern& pattern, const SeamId& seam);

@@ -17,6 +17,7 @@ private slots:
     void inSpaceTheNearerEndsMeet();
     void aDartClosesFromItsMouthToItsTip();
     void aChainIsWalkedBackwardsAsAWhole();
+    void walkedChainsAreSewnAsTheyAre();
     void aSewnStretchIsRefused();
     void anEdgeIsNotSewnToItself();
     void reversingTwiceChangesNothing();
@@ -113,6 +114,21 @@ void tst_PatternSeams::aChainIsWalkedBackwardsAsAWhole() {
     QCOMPARE(sewn.seams[0].sides[1][0].edge, EdgeId("right"));
     QVERIFY(sewn.seams[0].sides[1][0].reversed && sewn.seams[0].sides[1][1].reversed);
     QCOMPARE(sewn.seams[0].name, std::string("chain"));
+}
+
+void tst_PatternSeams::walkedChainsAreSewnAsTheyAre() {
+    IdSource ids{50};
+    const Pattern pattern = unsewn();
+    const auto edge = [&](std::size_t piece, std::size_t i) { return pattern.pieces[piece]->outline.edges[i].id; };
+    const std::array<std::vector<SeamPart>, 2> sides{
+        {{{front, edge(0, 1), 0, 1, true}, {front, edge(0, 0), 0, 1, true}}, {{back, edge(1, 3), 0, 1, false}}}};
+    const auto sewn = addSeam(pattern, sides, "", ids);
+    QVERIFY(sewn);
+    QVERIFY(sewn->seams.back().sides == sides);
+    QVERIFY(!sewn->seams.back().name.empty());
+    QVERIFY(!addSeam(*sewn, sides, "", ids)); // sewn already
+    QVERIFY(!addSeam(pattern, std::array<std::vector<SeamPart>, 2>{sides[0], sides[0]}, "", ids));
+    QVERIFY(!addSeam(pattern, std::array<std::vector<SeamPart>, 2>{}, "", ids));
 }
 
 void tst_PatternSeams::aSewnStretchIsRefused() {

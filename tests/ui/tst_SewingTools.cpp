@@ -20,6 +20,11 @@ private Q_SLOTS:
     void clickOnTheSeamJustMadeReversesIt();
     void sewnEdgesAreRefused();
     void escapeDropsTheFirstPick();
+    void edgesInARowAreOneSide();
+    void aRowGoesOnOverASeam();
+    void aSingleEdgePickedInItsMiddleIsSewnRightSideToRightSide();
+    void backspaceTakesTheLastPickBack();
+    void anEdgeIsPickedOnce();
     void freeSewingSewsTheStretches();
     void freeSewingSnapsToEnds();
     void aSideMayNotLeaveItsEdge();
@@ -35,6 +40,8 @@ private Q_SLOTS:
 };
 
 namespace {
+
+constexpr Modifiers shift{.shift = true};
 
 /// Where the parts of a seam begin on the table.
 std::array<Vec2, 2> beginnings(const Hand& hand, const pattern::Seam& seam) {
@@ -128,6 +135,77 @@ void tst_SewingTools::escapeDropsTheFirstPick() {
     hand.key(tool, ToolKey::escape);
     hand.click(tool, {0.2, -0.1});
     QVERIFY(hand.document.pattern.seams.empty());
+}
+
+void tst_SewingTools::edgesInARowAreOneSide() {
+    SewSegments tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {-0.02, -0.15}, shift); // the hem of the front, picked nearer to its left end …
+    hand.click(tool, {0.1, 0.1});            // … goes on up its right side: so it is walked to the right
+    QVERIFY(hand.overlay(tool).arrows.size() >= 6);
+    hand.click(tool, {0.2, -0.1}, shift);
+    hand.key(tool, ToolKey::enter); // the other side is the back's left edge alone
+    QCOMPARE(hand.document.pattern.seams.size(), std::size_t(1));
+    const pattern::Seam& seam = hand.document.pattern.seams[0];
+    QCOMPARE(seam.sides[0].size(), std::size_t(2));
+    QCOMPARE(seam.sides[1].size(), std::size_t(1));
+    const FlatPattern flat = flattened(hand.document.pattern);
+    const auto a = pathsOf(flat, seam.sides[0]), b = pathsOf(flat, seam.sides[1]);
+    QVERIFY(distance(a[0].front(), {-0.1, -0.15}) < 1e-9);
+    QVERIFY(distance(a[0].back(), a[1].front()) < 1e-9); // no jump within the side
+    QVERIFY(distance(a[1].back(), {0.1, 0.15}) < 1e-9);
+    QVERIFY(distance(b[0].front(), {0.2, -0.15}) < 1e-9); // picked near its bottom: it meets the beginning
+    QVERIFY(hand.message.contains(QStringLiteral("500.0 mm to 300.0 mm")));
+}
+
+void tst_SewingTools::aRowGoesOnOverASeam() {
+    SewSegments tool;
+    Hand hand{withRectangle(twoRectangles(), "Band", {0.15, 0.4}, 0.4, 0.05)};
+    hand.click(tool, {0.1, 0.1}); // the side seam: top to top
+    hand.click(tool, {0.2, 0.1});
+    hand.click(tool, {-0.02, 0.15}, shift); // the waist of the front, then of the back: left to right
+    hand.click(tool, {0.37, 0.15});         // picked at its far end, but it goes on at the side seam
+    hand.click(tool, {0.0, 0.375});
+    QCOMPARE(hand.document.pattern.seams.size(), std::size_t(2));
+    const FlatPattern flat = flattened(hand.document.pattern);
+    const auto waist = pathsOf(flat, hand.document.pattern.seams[1].sides[0]);
+    QCOMPARE(waist.size(), std::size_t(2));
+    QVERIFY(distance(waist[0].back(), {0.1, 0.15}) < 1e-9);
+    QVERIFY(distance(waist[1].front(), {0.2, 0.15}) < 1e-9);
+}
+
+void tst_SewingTools::aSingleEdgePickedInItsMiddleIsSewnRightSideToRightSide() {
+    SewSegments tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.08, -0.15}, shift);
+    hand.click(tool, {0.1, 0.1});
+    hand.click(tool, {0.2, 0.0});
+    const FlatPattern flat = flattened(hand.document.pattern);
+    const auto b = pathsOf(flat, hand.document.pattern.seams[0].sides[1]);
+    QVERIFY(distance(b[0].front(), {0.2, -0.15}) < 1e-9); // side one runs with its contour: this one against its own
+}
+
+void tst_SewingTools::backspaceTakesTheLastPickBack() {
+    SewSegments tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.1, -0.1});          // side one
+    hand.click(tool, {0.2, -0.1}, shift);   // side two …
+    hand.key(tool, ToolKey::backspace);
+    hand.key(tool, ToolKey::backspace);     // … and side one are taken back
+    hand.click(tool, {0.2, -0.1});          // side one again
+    QVERIFY(hand.document.pattern.seams.empty());
+    hand.click(tool, {0.1, -0.1});
+    QCOMPARE(hand.document.pattern.seams.size(), std::size_t(1));
+    QCOMPARE(hand.document.pattern.seams[0].sides[0].front().piece, hand.piece(1).id);
+}
+
+void tst_SewingTools::anEdgeIsPickedOnce() {
+    SewSegments tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.1, -0.1}, shift);
+    hand.click(tool, {0, 0.15}, shift);
+    hand.press(tool, {0.1, 0.1}, shift);
+    QVERIFY(hand.refused);
 }
 
 void tst_SewingTools::freeSewingSewsTheStretches() {

@@ -34,17 +34,6 @@ void paintDirection(QPainter& painter, const ViewTransform& view, const std::vec
     }
 }
 
-/// A point at a fraction of the whole side's length.
-Vec2 alongSide(const std::vector<std::vector<Vec2>>& paths, double fraction) {
-    double rest = fraction * lengthOf(paths);
-    for (const auto& path : paths) {
-        const double part = lengthOf(path);
-        if (rest <= part && part > 0) return pointAlong(path, rest / part).position;
-        rest -= part;
-    }
-    return paths.back().back();
-}
-
 void paintPartners(QPainter& painter, const ViewTransform& view, const std::vector<std::vector<Vec2>>& a,
                    const std::vector<std::vector<Vec2>>& b, QColor colour) {
     constexpr int links = 8;
@@ -53,7 +42,7 @@ void paintPartners(QPainter& painter, const ViewTransform& view, const std::vect
     painter.setPen(QPen(colour, 1, Qt::DashLine));
     for (int i = 0; i <= links; ++i) {
         const double fraction = double(i) / links;
-        painter.drawLine(view.toScreen(alongSide(a, fraction)), view.toScreen(alongSide(b, fraction)));
+        painter.drawLine(view.toScreen(pointAlong(a, fraction).position), view.toScreen(pointAlong(b, fraction).position));
     }
 }
 

@@ -2,88 +2,179 @@
 #include "ui/tools/SeamDraft.h"
 
 #include "core/document/DocumentEdits.h"
-#include "core/pattern/PatternSeams.h"
 #include "ui/values/Units.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace toile::ui {
 namespace {
 
 using namespace pattern;
 
-QString tr(const char* text) { return QCoreApplication::translate("Sewing", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("Sewing", text);
+}
 
-std::string nameOf(const Pattern& pattern, const PieceId& id) {
-    const Piece* piece = findPiece(pattern, id);
-    return piece ? piece->name : std::string();
+constexpr double samePoint = 1e-6; // [m]
+
+/// An end of an edge: a place on the outline of a piece.
+struct End {
+    PieceId piece;
+    Vec2 at;
+};
+
+bool isSame(const End& a, const End& b) {
+    return a.piece == b.piece && distance(a.at, b.at) < samePoint;
+}
+
+End firstEnd(const FlatPattern& flat, const SeamPart& part) {
+    return {part.piece, pathOf(flat, part).front()};
+}
+End lastEnd(const FlatPattern& flat, const SeamPart& part) {
+    return {part.piece, pathOf(flat, part).back()};
+}
+
+/// The two ends are one corner, or a seam brings them together.
+bool meet(const Desk& desk, const End& a, const End& b) {
+    if (isSame(a, b)) return true;
+    const auto joins = [&](const End& c, const End& d) {
+        return (isSame(a, c) && isSame(b, d)) || (isSame(a, d) && isSame(b, c));
+    };
+    return std::ranges::any_of(desk.document.pattern.seams, [&](const Seam& seam) {
+        const auto &one = seam.sides[0], &other = seam.sides[1];
+        return joins(firstEnd(desk.flat, one.front()), firstEnd(desk.flat, other.front())) ||
+               joins(lastEnd(desk.flat, one.back()), lastEnd(desk.flat, other.back()));
+    });
+}
+
+SeamPart turned(SeamPart part) {
+    part.reversed = !part.reversed;
+    return part;
+}
+
+/// Walked from the end nearer to the click.
+SeamPart fromClick(const EdgeHit& hit) {
+    return {hit.edge.piece, hit.edge.edge, 0, 1, hit.fraction > 0.5};
+}
+
+/// A single edge, picked where no end is meant.
+bool saysNothing(const std::vector<EdgeHit>& picks) {
+    return picks.size() == 1 && std::abs(picks[0].fraction - 0.5) < 0.2;
+}
+
+/// As its contour runs, seen from the right side.
+bool runsAlong(const Pattern& pattern, const SeamPart& part) {
+    const Piece* piece = findPiece(pattern, part.piece);
+    return part.reversed == (piece && piece->mirror.has_value());
+}
+
+/// The side of one edge walked so that right side goes to right side, or the nearer ends meet in space.
+void turnToFit(const Pattern& pattern, SeamSides& sides, std::size_t single) {
+    SeamPart& part = sides[single].front();
+    if (runsAlong(pattern, part) == runsAlong(pattern, sides[1 - single].front())) part = turned(part);
+    Seam seam;
+    seam.sides = sides;
+    if (isTwisted(pattern, seam)) part = turned(part);
 }
 
 } // namespace
 
-EdgePick wholeEdge(const EdgeHit& picked) { return {picked.edge.piece, picked.edge.edge, 0, 1}; }
-
-EdgePick stretch(const EdgeHit& first, const EdgeHit& then) {
-    const auto [from, to] = std::minmax(first.fraction, then.fraction);
-    return {first.edge.piece, first.edge.edge, from, to};
+EdgePick wholeEdge(const EdgeHit& picked) {
+    return {picked.edge.piece, picked.edge.edge, 0, 1};
 }
 
-Result<document::Document> withSeam(const document::Document& document, const EdgePick& a, const EdgePick& b,
-                                    Meeting meeting) {
-    return document::edited(document, [&](const Pattern& pattern, IdSource& ids) -> Result<Pattern> {
-        const std::string name = nameOf(pattern, a.piece) + " – " + nameOf(pattern, b.piece);
-        auto result = addSeam(pattern, std::span(&a, 1), std::span(&b, 1), name, ids);
-        if (!result || meeting == Meeting::best) return result;
-        const Seam& seam = result->seams.back();
-        const bool alike = seam.sides[0].front().reversed == seam.sides[1].front().reversed;
-        if (alike == (meeting == Meeting::alike)) return result;
-        return reverseSeam(*result, seam.id);
+SeamPart stretch(const EdgeHit& first, const EdgeHit& then) {
+    const auto [from, to] = std::minmax(first.fraction, then.fraction);
+    return {first.edge.piece, first.edge.edge, from, to, first.fraction > then.fraction};
+}
+
+std::vector<SeamPart> chainOf(const Desk& desk, const std::vector<EdgeHit>& picks) {
+    std::vector<SeamPart> chain;
+    for (std::size_t i = 0; i < picks.size(); ++i) {
+        SeamPart part = fromClick(picks[i]);
+        if (i == 1) { // the first edge ends where it meets the second
+            const SeamPart& second = part;
+            const auto meetsSecond = [&](const End& end) {
+                return meet(desk, end, firstEnd(desk.flat, second)) ||
+                       meet(desk, end, lastEnd(desk.flat, second));
+            };
+            if (!meetsSecond(lastEnd(desk.flat, chain[0])) && meetsSecond(firstEnd(desk.flat, chain[0])))
+                chain[0] = turned(chain[0]);
+        }
+        if (i > 0) {
+            const End before = lastEnd(desk.flat, chain.back());
+            if (!meet(desk, before, firstEnd(desk.flat, part)) &&
+                meet(desk, before, lastEnd(desk.flat, part)))
+                part = turned(part);
+        }
+        chain.push_back(part);
+    }
+    return chain;
+}
+
+Result<document::Document> withSeam(const document::Document& document, const SeamSides& sides) {
+    return document::edited(document, [&](const Pattern& pattern, IdSource& ids) {
+        return pattern::addSeam(pattern, sides, {}, ids);
     });
 }
 
-Effect sewn(const Desk& desk, const EdgePick& a, const EdgePick& b, Meeting meeting) {
-    Effect effect = effectOf(tr("Sew"), withSeam(desk.document, a, b, meeting));
+Result<document::Document> withSeam(const Desk& desk, const std::vector<EdgeHit>& a,
+                                    const std::vector<EdgeHit>& b) {
+    if (a.size() == 1 && b.size() == 1 && (saysNothing(a) || saysNothing(b)))
+        return document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
+            return pattern::addSeam(pattern, wholeEdge(a[0]), wholeEdge(b[0]), ids);
+        });
+    SeamSides sides{chainOf(desk, a), chainOf(desk, b)};
+    if (saysNothing(a)) turnToFit(desk.document.pattern, sides, 0);
+    if (saysNothing(b)) turnToFit(desk.document.pattern, sides, 1);
+    return withSeam(desk.document, sides);
+}
+
+Effect sewn(const Desk& desk, Result<document::Document> withSeam) {
+    Effect effect = effectOf(tr("Sew"), std::move(withSeam));
     if (!effect.edit) return effect;
     const Seam& seam = effect.edit->after.pattern.seams.back();
     effect.selection = Selection{seam.id};
-    effect.message = lengthsText(desk.flat, seam.sides[0].front(), seam.sides[1].front());
+    effect.message = lengthsText(desk.flat, seam.sides);
     return effect;
 }
 
-void addSide(Overlay& overlay, const FlatPattern& flat, const SeamPart& part, Overlay::Role role) {
-    const std::vector<Vec2> path = pathOf(flat, part);
-    if (path.size() < 2) return;
-    overlay.lines.push_back({path, role, false, false, 4});
-    overlay.marks.push_back({path.front(), role});
-    for (const double fraction : {0.25, 0.5, 0.75}) {
-        const PathPoint point = pointAlong(path, fraction);
-        overlay.arrows.push_back({point.position, point.direction, role});
+void addSide(Overlay& overlay, const FlatPattern& flat, const std::vector<SeamPart>& side,
+             Overlay::Role role) {
+    const auto paths = pathsOf(flat, side);
+    if (paths.empty()) return;
+    for (const auto& path : paths) {
+        overlay.lines.push_back({path, role, false, false, 4});
+        for (const double fraction : {0.25, 0.5, 0.75}) {
+            const PathPoint point = pointAlong(path, fraction);
+            overlay.arrows.push_back({point.position, point.direction, role});
+        }
     }
+    overlay.marks.push_back({paths.front().front(), role});
 }
 
-void addLinks(Overlay& overlay, const FlatPattern& flat, const SeamPart& a, const SeamPart& b) {
-    const std::vector<Vec2> pathA = pathOf(flat, a), pathB = pathOf(flat, b);
-    if (pathA.size() < 2 || pathB.size() < 2) return;
+void addSeam(Overlay& overlay, const FlatPattern& flat, const SeamSides& sides, Vec2 labelAt) {
+    addSide(overlay, flat, sides[0], Overlay::Role::sideA);
+    addSide(overlay, flat, sides[1], Overlay::Role::sideB);
+    const auto a = pathsOf(flat, sides[0]), b = pathsOf(flat, sides[1]);
+    if (a.empty() || b.empty()) return;
     for (const double fraction : {0.0, 0.25, 0.5, 0.75, 1.0})
-        overlay.lines.push_back({{pointAlong(pathA, fraction).position, pointAlong(pathB, fraction).position},
-                                 Overlay::Role::accent, true, false, 1});
+        overlay.lines.push_back({{pointAlong(a, fraction).position, pointAlong(b, fraction).position},
+                                 Overlay::Role::accent,
+                                 true,
+                                 false,
+                                 1});
+    overlay.labels.push_back({labelAt, lengthsText(flat, sides), Overlay::Role::sideB});
 }
 
-void addSeam(Overlay& overlay, const FlatPattern& flat, const Seam& seam, Vec2 labelAt) {
-    const SeamPart &a = seam.sides[0].front(), &b = seam.sides[1].front();
-    addSide(overlay, flat, a, Overlay::Role::sideA);
-    addSide(overlay, flat, b, Overlay::Role::sideB);
-    addLinks(overlay, flat, a, b);
-    overlay.labels.push_back({labelAt, lengthsText(flat, a, b), Overlay::Role::sideB});
-}
-
-QString lengthsText(const FlatPattern& flat, const SeamPart& a, const SeamPart& b) {
-    const double lengthA = lengthOf(pathOf(flat, a)), lengthB = lengthOf(pathOf(flat, b));
+QString lengthsText(const FlatPattern& flat, const SeamSides& sides) {
+    const double a = lengthOf(pathsOf(flat, sides[0])), b = lengthOf(pathsOf(flat, sides[1]));
     return tr("%1 to %2, difference %3")
-        .arg(textOf(Quantity::length, lengthA), textOf(Quantity::length, lengthB),
-             differenceTextOf(Quantity::length, lengthA - lengthB));
+        .arg(textOf(Quantity::length, a), textOf(Quantity::length, b),
+             differenceTextOf(Quantity::length, a - b));
 }
 
 } // namespace toile::ui

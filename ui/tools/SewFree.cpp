@@ -10,7 +10,9 @@ namespace {
 
 using namespace pattern;
 
-QString tr(const char* text) { return QCoreApplication::translate("Sewing", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("Sewing", text);
+}
 
 /// The place on an edge, drawn to an end or a notch within the tolerance.
 std::optional<EdgeHit> snappedHit(const FlatPattern& flat, const PointerEvent& event) {
@@ -20,24 +22,14 @@ std::optional<EdgeHit> snappedHit(const FlatPattern& flat, const PointerEvent& e
     const std::vector<Vec2> path = pathOf(flat, SeamPart{hit->edge.piece, hit->edge.edge});
     std::vector<double> places{0, 1};
     for (const Notch& notch : piece.piece.notches)
-        if (notch.edge == hit->edge.edge) places.push_back(piece.piece.mirror ? 1 - notch.position : notch.position);
+        if (notch.edge == hit->edge.edge)
+            places.push_back(piece.piece.mirror ? 1 - notch.position : notch.position);
     for (const double place : places)
         if (distance(pointAlong(path, place).position, event.position) <= event.tolerance) {
             hit->fraction = place;
             hit->point = pointAlong(path, place).position;
         }
     return hit;
-}
-
-/// Beginnings meet, ends meet.
-Meeting meetingOf(const EdgeHit& beginA, const EdgeHit& endA, const EdgeHit& beginB, const EdgeHit& endB) {
-    return (beginA.fraction < endA.fraction) == (beginB.fraction < endB.fraction) ? Meeting::alike : Meeting::across;
-}
-
-/// One side as it is picked, from its beginning.
-SeamPart partBetween(const EdgeHit& begin, const EdgeHit& end) {
-    const EdgePick pick = stretch(begin, end);
-    return {pick.piece, pick.edge, pick.from, pick.to, begin.fraction > end.fraction};
 }
 
 } // namespace
@@ -52,15 +44,17 @@ Effect SewFree::press(const Desk& desk, const PointerEvent& event) {
     if (ends && std::abs(picks_.back().fraction - under_->fraction) < 1e-6)
         return refusal(tr("A side needs two different points."));
     if (ends) {
-        if (const Seam* seam = seamOver(desk.document.pattern, stretch(picks_.back(), *under_)))
-            return refusal(tr("Some of this is sewn already, by the seam “%1”.").arg(QString::fromStdString(seam->name)));
+        const SeamPart part = stretch(picks_.back(), *under_);
+        if (const Seam* seam = seamOver(desk.document.pattern, {part.piece, part.edge, part.from, part.to}))
+            return refusal(tr("Some of this is sewn already, by the seam “%1”.")
+                               .arg(QString::fromStdString(seam->name)));
     }
     if (picks_.size() < 3) {
         picks_.push_back(*under_);
         return {};
     }
-    Effect effect = sewn(desk, stretch(picks_[0], picks_[1]), stretch(picks_[2], *under_),
-                         meetingOf(picks_[0], picks_[1], picks_[2], *under_));
+    const SeamSides sides{{{stretch(picks_[0], picks_[1])}, {stretch(picks_[2], *under_)}}};
+    Effect effect = sewn(desk, withSeam(desk.document, sides));
     if (effect.edit) cancel();
     return effect;
 }
@@ -71,8 +65,10 @@ Effect SewFree::move(const Desk& desk, const PointerEvent& event) {
 }
 
 Effect SewFree::key(const Desk&, ToolKey key) {
-    if (key == ToolKey::escape) cancel();
-    else if (key != ToolKey::enter && !picks_.empty()) picks_.pop_back();
+    if (key == ToolKey::escape)
+        cancel();
+    else if (key != ToolKey::enter && !picks_.empty())
+        picks_.pop_back();
     return {};
 }
 
@@ -85,25 +81,31 @@ Overlay SewFree::overlay(const Desk& desk) const {
     Overlay overlay;
     std::vector<EdgeHit> picks = picks_;
     if (under_ && picks.size() % 2 == 1 && picks.back().edge == under_->edge) picks.push_back(*under_);
-    const auto role = [](std::size_t side) { return side == 0 ? Overlay::Role::sideA : Overlay::Role::sideB; };
+    const auto role = [](std::size_t side) {
+        return side == 0 ? Overlay::Role::sideA : Overlay::Role::sideB;
+    };
     for (std::size_t side = 0; side < 2; ++side) {
-        if (picks.size() >= 2 * side + 2) addSide(overlay, desk.flat, partBetween(picks[2 * side], picks[2 * side + 1]), role(side));
-        else if (picks.size() == 2 * side + 1) overlay.marks.push_back({picks.back().point, role(side)});
+        if (picks.size() == 2 * side + 1) overlay.marks.push_back({picks.back().point, role(side)});
+        if (picks.size() >= 2 * side + 2 && picks.size() < 4)
+            addSide(overlay, desk.flat, {stretch(picks[2 * side], picks[2 * side + 1])}, role(side));
     }
     if (under_) overlay.marks.push_back({under_->point, Overlay::Role::hover});
-    if (picks.size() != 4) return overlay;
-    const SeamPart a = partBetween(picks[0], picks[1]), b = partBetween(picks[2], picks[3]);
-    addLinks(overlay, desk.flat, a, b);
-    overlay.labels.push_back({picks.back().point, lengthsText(desk.flat, a, b), Overlay::Role::sideB});
+    if (picks.size() == 4)
+        addSeam(overlay, desk.flat, {{{stretch(picks[0], picks[1])}, {stretch(picks[2], picks[3])}}},
+                picks.back().point);
     return overlay;
 }
 
 QString SewFree::hint() const {
     switch (picks_.size()) {
-    case 0: return tr("Click where side one begins.");
-    case 1: return tr("Click where side one ends, on the same edge.");
-    case 2: return tr("Click where side two begins: it meets the beginning of side one.");
-    default: return tr("Click where side two ends, on the same edge.");
+    case 0:
+        return tr("Click where side one begins.");
+    case 1:
+        return tr("Click where side one ends, on the same edge.");
+    case 2:
+        return tr("Click where side two begins: it meets the beginning of side one.");
+    default:
+        return tr("Click where side two ends, on the same edge.");
     }
 }
 

@@ -5,9 +5,10 @@
 
 namespace toile::ui {
 
-/// Sews two whole edges: one click each. The end of an edge that lies nearer to the click is where the seam begins, so
-/// the two picked ends meet; arrows and links show it before the second click. A click on an edge of the seam just made
-/// reverses it. Esc drops the pick.
+/// Sews whole edges: one click for side one, one for side two. With Shift a click says that more edges follow
+/// on its side, so that sides can be chains (1:N, M:N); Enter ends a chain. The end of an edge that lies
+/// nearer to the click is where the seam begins; arrows and links show it before the last click. A click on
+/// an edge of the seam just made reverses it. Backspace takes the last pick back, Esc all.
 class SewSegments : public Tool {
 public:
     Effect press(const Desk& desk, const PointerEvent& event) override;
@@ -20,8 +21,14 @@ public:
     [[nodiscard]] QString hint() const override;
 
 private:
-    std::optional<EdgeHit> first_, under_; ///< picked, and below the pointer
-    pattern::SeamId made_;                 ///< the seam made last
+    [[nodiscard]] bool isPicked(const EdgeRef& edge) const;
+    Effect endSide(const Desk& desk);
+    void takeBack();
+
+    std::array<std::vector<EdgeHit>, 2> picks_; ///< of the two sides, in order
+    std::size_t side_ = 0;                      ///< that is being picked
+    std::optional<EdgeHit> under_;              ///< below the pointer
+    pattern::SeamId made_;                      ///< the seam made last
 };
 
 } // namespace toile::ui

@@ -162,4 +162,14 @@ PathPoint pointAlong(const std::vector<Vec2>& path, double fraction) {
     return {path.back(), path.size() > 1 ? path.back() - path[path.size() - 2] : Vec2{1, 0}};
 }
 
+PathPoint pointAlong(const std::vector<std::vector<Vec2>>& paths, double fraction) {
+    double rest = fraction * lengthOf(paths);
+    for (const auto& path : paths) {
+        const double part = lengthOf(path);
+        if (rest <= part && part > 0) return pointAlong(path, rest / part);
+        rest -= part;
+    }
+    return pointAlong(paths.back(), 1);
+}
+
 } // namespace toile::ui

@@ -65,5 +65,7 @@ struct PathPoint {
     Vec2 position, direction;
 };
 [[nodiscard]] PathPoint pointAlong(const std::vector<Vec2>& path, double fraction);
+/// The same of ways in a row, which are not empty.
+[[nodiscard]] PathPoint pointAlong(const std::vector<std::vector<Vec2>>& paths, double fraction);
 
 } // namespace toile::ui
