@@ -31,6 +31,7 @@ struct SewOptions {
     std::optional<double> spacing; ///< [m]
     std::optional<double> seconds; ///< [s]; absent = until rest
     double limit = 20;             ///< [s]
+    double hold = 10;              ///< after rest, of garments without a neck opening [s]
     std::optional<double> step;    ///< frame step [s]
     int substeps = 0;              ///< 0 = chosen from the mesh
     std::string method = "xpbd";   ///< a name of sewMethods()

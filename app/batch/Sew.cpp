@@ -143,7 +143,7 @@ int sew(const SewOptions& options, std::stop_token stop) {
     if (!simulation) return refuse(simulation.error());
     if (const auto start = judgeStart(*opened, *simulation, options); !start) return refuse(start.error());
 
-    simulation::SewSettings settings{.seconds = options.seconds, .limit = options.limit};
+    simulation::SewSettings settings{.seconds = options.seconds, .limit = options.limit, .hold = options.hold};
     auto report = sewn(options, settings, *simulation, stop);
     if (!report) return refuse(report.error());
     report->warnings.insert(report->warnings.begin(), opened->warnings.begin(), opened->warnings.end());

@@ -66,6 +66,9 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     command->add_flag("--until-rest")->description("simulate until the cloth is at rest (the default)")->excludes(seconds);
     command->add_option("--limit", options->limit, "give up waiting for rest after so many simulated seconds [s]")
         ->check(CLI::Range(0.1, 3600.0));
+    command->add_option("--hold", options->hold, "a garment without a neck goes on for so long after rest, to see whether it slides [s]")
+        ->check(CLI::Range(0.0, 3600.0))
+        ->capture_default_str();
     command->add_option("--method", options->method, "how time is integrated; this version offers xpbd")
         ->check(CLI::IsMember(batch::sewMethods()));
     const auto isAuto = [](const std::string& text) { return std::string(text == "auto" ? "" : "only auto is known"); };

@@ -32,6 +32,38 @@ cloth::Patch strainPatch(const Garment& garment, std::size_t piece) {
     return patch;
 }
 
+/// Of every element of the pieces that are asked for.
+template <class Wanted>
+std::vector<cloth::Strain> strainsOf(const Simulation& simulation, const Wanted& wanted) {
+    std::vector<cloth::Strain> all;
+    const Garment& garment = simulation.garment();
+    for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece)
+        if (wanted(*simulation.scene().pattern.pieces[piece]))
+            for (const cloth::Strain& strain : cloth::strains(strainPatch(garment, piece), simulation.state().positions))
+                all.push_back(strain);
+    return all;
+}
+
+StrainSummary summaryOf(const std::vector<cloth::Strain>& strains) {
+    StrainSummary summary;
+    if (strains.empty()) return summary;
+    std::vector<std::pair<double, double>> warp, weft;
+    double area = 0, squares = 0;
+    for (const cloth::Strain& strain : strains) {
+        warp.emplace_back(strain.warp, strain.area);
+        weft.emplace_back(strain.weft, strain.area);
+        summary.warpMaximum = std::max(summary.warpMaximum, strain.warp);
+        summary.weftMaximum = std::max(summary.weftMaximum, strain.weft);
+        summary.shearMaximum = std::max(summary.shearMaximum, std::abs(strain.shear));
+        squares += strain.area * (strain.warp * strain.warp + strain.weft * strain.weft);
+        area += strain.area;
+    }
+    summary.rms = std::sqrt(squares / (2 * area));
+    summary.warpPercentile99 = cloth::areaPercentile(std::move(warp), 0.99);
+    summary.weftPercentile99 = cloth::areaPercentile(std::move(weft), 0.99);
+    return summary;
+}
+
 std::optional<int> nodeOf(const pattern::Contour& outline, const meshing::PieceMesh& mesh, const pattern::VertexId& vertex) {
     for (std::size_t i = 0; i < outline.vertices.size(); ++i)
         if (outline.vertices[i].id == vertex) return mesh.loops[0][i].front().node;
@@ -54,25 +86,15 @@ std::vector<pattern::Vertex> landmarkVertices(const pattern::Contour& outline) {
 
 } // namespace
 
-StrainSummary strainOf(const Simulation& simulation) {
-    StrainSummary summary;
-    std::vector<std::pair<double, double>> warp, weft;
-    double area = 0, squares = 0;
-    const Garment& garment = simulation.garment();
-    for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece)
-        for (const cloth::Strain& strain : cloth::strains(strainPatch(garment, piece), simulation.state().positions)) {
-            warp.emplace_back(strain.warp, strain.area);
-            weft.emplace_back(strain.weft, strain.area);
-            summary.warpMaximum = std::max(summary.warpMaximum, strain.warp);
-            summary.weftMaximum = std::max(summary.weftMaximum, strain.weft);
-            summary.shearMaximum = std::max(summary.shearMaximum, std::abs(strain.shear));
-            squares += strain.area * (strain.warp * strain.warp + strain.weft * strain.weft);
-            area += strain.area;
-        }
-    if (area > 0) summary.rms = std::sqrt(squares / (2 * area));
-    summary.warpPercentile99 = cloth::areaPercentile(std::move(warp), 0.99);
-    summary.weftPercentile99 = cloth::areaPercentile(std::move(weft), 0.99);
-    return summary;
+StrainSummary strainOf(const Simulation& simulation) { return summaryOf(strainsOf(simulation, [](const auto&) { return true; })); }
+
+std::optional<StrainSummary> wovenStrainOf(const Simulation& simulation) {
+    const std::vector<cloth::Strain> strains = strainsOf(simulation, [&](const pattern::Piece& piece) {
+        const material::Fabric* fabric = pattern::findFabric(simulation.scene().pattern, piece.fabric);
+        return fabric && fabric->kind == material::FabricKind::woven;
+    });
+    if (strains.empty()) return std::nullopt;
+    return summaryOf(strains);
 }
 
 ContactSummary contactOf(const Simulation& simulation) {
@@ -97,7 +119,7 @@ ContactSummary contactOf(const Simulation& simulation) {
 Drape drapeOf(const Simulation& simulation) {
     const Garment& garment = simulation.garment();
     const pattern::Pattern& pattern = simulation.scene().pattern;
-    Drape drape{particleTriangles(garment), simulation.state().positions, {}, {}, {}};
+    Drape drape{particleTriangles(garment), simulation.state().positions, {}, {}, {}, wovenStrainOf(simulation)};
     const std::vector<Vec3> placed = placedNodes(pattern, *garment.mesh);
     drape.start.resize(garment.particles.particleCount);
     for (std::size_t piece = 0; piece < pattern.pieces.size(); ++piece)

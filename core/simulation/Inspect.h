@@ -5,8 +5,11 @@
 
 namespace toile::simulation {
 
-/// Stretch over all elements of the garment.
+/// Strain of the garment; zero without an element.
 [[nodiscard]] StrainSummary strainOf(const Simulation& simulation);
+
+/// Strain of its woven pieces; none if all are knits.
+[[nodiscard]] std::optional<StrainSummary> wovenStrainOf(const Simulation& simulation);
 
 /// How the cloth lies to the body and to itself; counted by a test that shares no code with the contact stages.
 [[nodiscard]] ContactSummary contactOf(const Simulation& simulation);

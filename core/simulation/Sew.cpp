@@ -30,42 +30,72 @@ std::string describe(const Simulation& simulation) {
                        seams.size(), 1000 * simulation.largestSpeed());
 }
 
+struct Watch {
+    std::stop_token stop;
+    const Progress& progress;
+    const FrameObserver& observer;
+};
+
+Result<void> step(Simulation& simulation, const Watch& watch, double share) {
+    if (watch.stop.stop_requested()) return fail(ErrorCode::cancelled, "The run was stopped.");
+    if (const auto advanced = simulation.advance(); !advanced) return advanced;
+    report(watch.progress, share, describe(simulation));
+    if (watch.observer) watch.observer(simulation);
+    return {};
+}
+
+Result<void> goOnFor(double seconds, Simulation& simulation, const Watch& watch) {
+    const double start = simulation.state().time;
+    while (simulation.state().time - start < seconds - 1e-9)
+        if (const auto stepped = step(simulation, watch, 0.9); !stepped) return stepped;
+    return {};
+}
+
 /// Steps until the time is over or the cloth rests.
-Result<std::string> run(Simulation& simulation, const SewSettings& settings, std::stop_token stop, const Progress& progress,
-                        const FrameObserver& observer) {
+Result<std::string> run(Simulation& simulation, const SewSettings& settings, const Watch& watch) {
     const double start = simulation.state().time, length = settings.seconds.value_or(settings.limit);
     while (true) {
         const double elapsed = simulation.state().time - start;
         if (elapsed >= length - 1e-9) return settings.seconds ? "time is up" : "limit reached";
         if (!settings.seconds && simulation.restingTime() >= restBeforeFinish) return "at rest";
-        if (stop.stop_requested()) return fail(ErrorCode::cancelled, "The run was stopped.");
-        if (const auto advanced = simulation.advance(); !advanced) return tl::unexpected(advanced.error());
-        report(progress, 0.9 * elapsed / length, describe(simulation));
-        if (observer) observer(simulation);
+        if (const auto stepped = step(simulation, watch, 0.9 * elapsed / length); !stepped) return tl::unexpected(stepped.error());
     }
 }
 
 /// Statics. Where it does not come to an end, a fold is still snapping through: time goes on a little, and it is tried
 /// again from there.
-Result<void> finish(SewReport& result, Simulation& simulation, const SewSettings& settings, std::stop_token stop,
-                    const Progress& progress, const FrameObserver& observer) {
+Result<void> finish(SewReport& result, Simulation& simulation, const SewSettings& settings, const Watch& watch) {
     constexpr int attempts = 4;
     result.finishDisplacementMaximum = 0;
     for (int attempt = 0; attempt < attempts && !result.atRest; ++attempt) {
         if (attempt > 0)
-            for (double rest = 0; rest < restBeforeFinish; rest += simulation.scene().settings.frameStep) {
-                if (stop.stop_requested()) return fail(ErrorCode::cancelled, "The run was stopped.");
-                if (const auto advanced = simulation.advance(); !advanced) return advanced;
-                if (observer) observer(simulation);
-            }
-        report(progress, 0.9, "finding the equilibrium");
-        const auto settled = simulation.settle(settings.statics, stop, progress);
+            if (const auto advanced = goOnFor(restBeforeFinish, simulation, watch); !advanced) return advanced;
+        report(watch.progress, 0.9, "finding the equilibrium");
+        const auto settled = simulation.settle(settings.statics, watch.stop, watch.progress);
         if (!settled) return tl::unexpected(settled.error());
         result.residual = settled->newton.residual;
         result.finishDisplacementMaximum = std::max(*result.finishDisplacementMaximum, settled->displacementMaximum);
         result.atRest = result.ending == "at rest" && settled->newton.converged;
         if (result.ending != "at rest") break;
     }
+    return {};
+}
+
+/// Whether nothing but its waistband keeps the garment up.
+bool hangsOnItsWaistband(const Simulation& simulation) {
+    const Scene& scene = simulation.scene();
+    return scene.body && !(*scene.body)->axes.empty() && !hasNeckOpening(drapeOf(simulation), **scene.body);
+}
+
+/// Goes on after rest; what still rests then has stayed where it is.
+Result<void> hold(SewReport& result, Simulation& simulation, const SewSettings& settings, const Watch& watch) {
+    if (result.ending != "at rest" || settings.hold <= 0 || !hangsOnItsWaistband(simulation)) return {};
+    const double start = simulation.state().time;
+    if (const auto advanced = goOnFor(settings.hold, simulation, watch); !advanced) return advanced;
+    result.heldSeconds = simulation.state().time - start;
+    auto ending = run(simulation, settings, watch);
+    if (!ending) return tl::unexpected(ending.error());
+    result.ending = std::move(*ending);
     return {};
 }
 
@@ -113,13 +143,14 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     const auto wallStart = std::chrono::steady_clock::now();
     const double cpuStart = processSeconds();
     SewReport result;
-    auto ending = run(simulation, settings, stop, progress, observer);
+    const Watch watch{stop, progress, observer};
+    auto ending = run(simulation, settings, watch);
     if (!ending) return tl::unexpected(ending.error());
     result.ending = std::move(*ending);
+    if (const auto held = hold(result, simulation, settings, watch); !held) return tl::unexpected(held.error());
 
     if (settings.finish && !settings.seconds)
-        if (const auto finished = finish(result, simulation, settings, stop, progress, observer); !finished)
-            return tl::unexpected(finished.error());
+        if (const auto finished = finish(result, simulation, settings, watch); !finished) return tl::unexpected(finished.error());
     countElements(result, simulation.garment().model);
     for (std::size_t seam = 0; seam < simulation.seams().size(); ++seam)
         result.seams.push_back({simulation.seams()[seam], simulation.seams()[seam].merged ? SeamGap{} : simulation.gapOf(seam)});

@@ -12,6 +12,8 @@ namespace toile::simulation {
 struct SewSettings {
     std::optional<double> seconds; ///< simulate just so long, without finish [s]; absent = until rest
     double limit = 20;             ///< simulated time after which rest is no longer waited for [s]
+    double hold = 10;              ///< a garment without a neck opening goes on for so long after rest: a band that
+                                   ///< slides may do so slowly [s]
     bool finish = true;            ///< statics after rest
     dynamics::StaticSettings statics;
     WornSettings worn;
@@ -20,12 +22,6 @@ struct SewSettings {
 struct SeamResult {
     SeamState state;
     SeamGap gap; ///< at the end
-};
-
-struct StrainSummary {
-    double warpMaximum = 0, weftMaximum = 0, shearMaximum = 0; ///< largest stretch [–]; shear angle [rad]
-    double warpPercentile99 = 0, weftPercentile99 = 0;         ///< of the area [–]
-    double rms = 0;                                            ///< of warp and weft strain over the area [–]
 };
 
 struct ContactSummary {
@@ -51,6 +47,7 @@ struct SewReport {
     std::optional<double> finishDisplacementMaximum; ///< [m]
     StrainSummary strain;
     double simulatedSeconds = 0, cpuSeconds = 0, wallSeconds = 0;
+    double heldSeconds = 0; ///< of them after rest, to see whether a waistband stays [s]
     int steps = 0, substeps = 0;
     bool atRest = false;
     std::optional<double> residual; ///< largest unbalanced force over the mean particle weight [–]

@@ -29,11 +29,18 @@ Json toJson(const OpeningReport& opening) {
 
 Json numberOrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
+Json stretchJson(const std::optional<StrainSummary>& woven) {
+    const auto value = [&](double StrainSummary::*member) { return woven ? Json((*woven).*member) : Json(); };
+    Json json;
+    json.set("warpPercentile99", value(&StrainSummary::warpPercentile99)).set("warpMaximum", value(&StrainSummary::warpMaximum));
+    return json.set("weftPercentile99", value(&StrainSummary::weftPercentile99)).set("weftMaximum", value(&StrainSummary::weftMaximum));
+}
+
 Json toJson(const std::optional<WornReport>& worn) {
     Json json;
     if (!worn) {
         json.set("verdict", nullptr).set("why", Json(Json::Array{"The scene has no body with limbs."})).set("openings", nullptr);
-        return json.set("rightSideOut", nullptr).set("turnedLength", nullptr).set("landmarks", nullptr);
+        return json.set("rightSideOut", nullptr).set("turnedLength", nullptr).set("landmarks", nullptr).set("stretch", nullptr);
     }
     json.set("verdict", worn->worn).set("why", listOf(worn->why, [](const auto& reason) { return Json(reason); }));
     json.set("openings", listOf(worn->openings, [](const OpeningReport& opening) { return toJson(opening); }));
@@ -42,7 +49,7 @@ Json toJson(const std::optional<WornReport>& worn) {
     landmarks.set("napeDistance", numberOrNull(worn->napeDistance));
     landmarks.set("symmetryDifference", numberOrNull(worn->symmetryDifference));
     landmarks.set("waistDrop", numberOrNull(worn->waistDrop));
-    return json.set("landmarks", landmarks);
+    return json.set("landmarks", landmarks).set("stretch", stretchJson(worn->wovenStrain));
 }
 
 Json toJson(const ContactSummary& contact) {
@@ -72,7 +79,8 @@ Json toJson(const SewReport& report) {
     strain.set("warpPercentile99", report.strain.warpPercentile99).set("weftPercentile99", report.strain.weftPercentile99);
     strain.set("shearMaximum", report.strain.shearMaximum).set("rms", report.strain.rms);
     json.set("strain", strain);
-    json.set("simulatedSeconds", report.simulatedSeconds).set("cpuSeconds", report.cpuSeconds).set("wallSeconds", report.wallSeconds);
+    json.set("simulatedSeconds", report.simulatedSeconds).set("heldSeconds", report.heldSeconds);
+    json.set("cpuSeconds", report.cpuSeconds).set("wallSeconds", report.wallSeconds);
     json.set("steps", report.steps).set("substeps", report.substeps);
     json.set("atRest", report.atRest).set("ending", report.ending).set("residual", numberOrNull(report.residual));
     Json energy;

@@ -225,7 +225,34 @@ void judgeSymmetry(WornReport& report, const Drape& drape, const WornSettings& s
         report.why.push_back(fmt::format("Left and right differ by {:.1f} mm.", 1000 * largest));
 }
 
+/// Knits are meant to stretch.
+void judgeStretch(WornReport& report, const Drape& drape, const WornSettings& settings) {
+    report.wovenStrain = drape.wovenStrain;
+    if (!drape.wovenStrain) return;
+    const auto judge = [&](const char* direction, double percentile99, double maximum) {
+        if (percentile99 > settings.stretchPercentile99)
+            report.why.push_back(fmt::format("A hundredth of the woven cloth is stretched by more than {:.1f} % along its {}.",
+                                             100 * percentile99, direction));
+        if (maximum > settings.stretchMaximum)
+            report.why.push_back(fmt::format("Woven cloth is stretched by {:.1f} % along its {}.", 100 * maximum, direction));
+    };
+    judge("warp", drape.wovenStrain->warpPercentile99, drape.wovenStrain->warpMaximum);
+    judge("weft", drape.wovenStrain->weftPercentile99, drape.wovenStrain->weftMaximum);
+}
+
+std::vector<OpeningReport> openingReports(const std::vector<Opening>& openings, const Drape& drape, const body::Body& body) {
+    const std::vector<NamedAxis> axes = axesOf(body);
+    std::vector<OpeningReport> reports;
+    for (const Opening& opening : openings) reports.push_back(openingReport(opening, drape, body, axes));
+    return reports;
+}
+
 } // namespace
+
+bool hasNeckOpening(const Drape& drape, const body::Body& body) {
+    const std::vector<OpeningReport> reports = openingReports(openingsOf(drape.triangles), drape, body);
+    return std::ranges::count(reports, "neck", &OpeningReport::name) > 0;
+}
 
 int crossings(const std::vector<Vec3>& loop, const std::vector<Vec3>& polyline) {
     const Vec3 centre = meanOf(loop);
@@ -240,8 +267,7 @@ WornReport wornReport(const Drape& drape, const body::Body& body, const collisio
                       const WornSettings& settings) {
     WornReport report;
     const std::vector<Opening> openings = openingsOf(drape.triangles);
-    const std::vector<NamedAxis> axes = axesOf(body);
-    for (const Opening& opening : openings) report.openings.push_back(openingReport(opening, drape, body, axes));
+    report.openings = openingReports(openings, drape, body);
     judgeOpenings(report, openings, drape);
     report.turnedLength = turnedLength(drape);
     if (report.turnedLength > 0)
@@ -251,6 +277,7 @@ WornReport wornReport(const Drape& drape, const body::Body& body, const collisio
         report.why.push_back(fmt::format("Only {:.1f} % of the cloth has its right side out.", 100 * report.rightSideOut));
     judgeNeckOrWaist(report, openings, drape, body, settings);
     judgeSymmetry(report, drape, settings);
+    judgeStretch(report, drape, settings);
     report.worn = report.why.empty();
     return report;
 }

@@ -4,6 +4,7 @@
 #include "core/body/Landmarks.h"
 #include "core/collision/BodySurface.h"
 #include "core/simulation/Openings.h"
+#include "core/simulation/StrainSummary.h"
 
 #include <optional>
 #include <string>
@@ -25,7 +26,9 @@ struct WornSettings {
     double rightSideShare = 0.99;    ///< of the area must face away from the body [–]
     double napeDistance = 0.015;     ///< largest distance of the back-neck point from the nape [m]
     double symmetry = 0.005;         ///< largest difference of a mirror pair of landmarks [m]
-    double waistDrop = 0.030;        ///< how far a waistband may slide from where it was placed [m]
+    double waistDrop = 0.015;        ///< how far a waistband may lie from the level it was placed at [m]
+    double stretchPercentile99 = 0.02; ///< which 99 % of the area of woven cloth may not exceed, along warp and weft [–]
+    double stretchMaximum = 0.05;      ///< which no element of woven cloth may exceed [–]
 };
 
 /// Whether the garment hangs on the body as it was meant to.
@@ -38,6 +41,7 @@ struct WornReport {
     std::optional<double> napeDistance;       ///< [m]; of garments with a neck opening
     std::optional<double> symmetryDifference; ///< [m]; of patterns with mirror pieces
     std::optional<double> waistDrop;          ///< [m]; of garments without a neck opening
+    std::optional<StrainSummary> wovenStrain; ///< of garments with woven pieces
 };
 
 /// The drape as the verdict needs it. Particle indices; `start` are the placed positions.
@@ -46,10 +50,14 @@ struct Drape {
     std::vector<Vec3> positions, start;
     std::vector<std::array<int, 2>> mirrorPairs; ///< particles at corners of mirror pieces and their sources
     std::vector<int> piece = {};                 ///< of each triangle; empty = all of one
+    std::optional<StrainSummary> wovenStrain = {}; ///< of the woven pieces; absent if all are knits
 };
 
 [[nodiscard]] WornReport wornReport(const Drape& drape, const body::Body& body, const collision::BodySurface& surface,
                                     const WornSettings& settings = {});
+
+/// Whether the garment hangs on the shoulders: else its uppermost opening is a waistband.
+[[nodiscard]] bool hasNeckOpening(const Drape& drape, const body::Body& body);
 
 /// How often a polyline passes through the fan from a closed loop's centre to its edges.
 [[nodiscard]] int crossings(const std::vector<Vec3>& loop, const std::vector<Vec3>& polyline);

@@ -112,6 +112,9 @@ private slots:
     void aPieceInsideOutIsSeenThoughItIsSewnToOthers();
     void aSeamSewnTheWrongWayRoundIsMeasured();
     void aWaistThatSlidIsSaid();
+    void wovenClothThatIsStretchedIsSaid_data();
+    void wovenClothThatIsStretchedIsSaid();
+    void aSkirtHasNoNeckOpening();
     void theBackNeckPointIsMeasuredToTheNape();
     void mirrorPairsAreCompared();
 };
@@ -223,12 +226,47 @@ void tst_Worn::aSeamSewnTheWrongWayRoundIsMeasured() {
 
 void tst_Worn::aWaistThatSlidIsSaid() {
     Drape drape = skirt();
-    for (Vec3& p : drape.start) p.y += 0.029;
+    for (Vec3& p : drape.start) p.y += 0.014;
     QVERIFY(verdictOn(drape).worn);
     for (Vec3& p : drape.start) p.y += 0.002;
     const WornReport report = verdictOn(drape);
-    QVERIFY(std::abs(*report.waistDrop - 0.031) < 1e-12);
-    QVERIFY(says(report, "The uppermost opening lies 31.0 mm from the level it was placed at."));
+    QVERIFY(std::abs(*report.waistDrop - 0.016) < 1e-12);
+    QVERIFY(says(report, "The uppermost opening lies 16.0 mm from the level it was placed at."));
+}
+
+void tst_Worn::wovenClothThatIsStretchedIsSaid_data() {
+    QTest::addColumn<double>("warpPercentile99");
+    QTest::addColumn<double>("weftPercentile99");
+    QTest::addColumn<double>("warpMaximum");
+    QTest::addColumn<double>("weftMaximum");
+    QTest::addColumn<QString>("sentence"); // empty: worn
+    QTest::newRow("just within the limits") << 0.0199 << 0.0199 << 0.0499 << 0.0499 << "";
+    QTest::newRow("much of it, along warp") << 0.021 << 0.010 << 0.030 << 0.030
+                                            << "A hundredth of the woven cloth is stretched by more than 2.1 % along its warp.";
+    QTest::newRow("much of it, along weft") << 0.010 << 0.021 << 0.030 << 0.030
+                                            << "A hundredth of the woven cloth is stretched by more than 2.1 % along its weft.";
+    QTest::newRow("a spot, along warp") << 0.010 << 0.010 << 0.051 << 0.030 << "Woven cloth is stretched by 5.1 % along its warp.";
+    QTest::newRow("a spot, along weft") << 0.010 << 0.010 << 0.030 << 0.051 << "Woven cloth is stretched by 5.1 % along its weft.";
+}
+
+void tst_Worn::wovenClothThatIsStretchedIsSaid() {
+    QFETCH(double, warpPercentile99);
+    QFETCH(double, weftPercentile99);
+    QFETCH(double, warpMaximum);
+    QFETCH(double, weftMaximum);
+    QFETCH(QString, sentence);
+    Drape drape = skirt();
+    drape.wovenStrain = {.warpMaximum = warpMaximum, .weftMaximum = weftMaximum, .warpPercentile99 = warpPercentile99,
+                         .weftPercentile99 = weftPercentile99};
+    const WornReport report = verdictOn(drape);
+    QCOMPARE(report.worn, sentence.isEmpty());
+    QCOMPARE(report.why.size(), std::size_t(sentence.isEmpty() ? 0 : 1));
+    if (!sentence.isEmpty()) QCOMPARE(QString::fromStdString(report.why.front()), sentence);
+}
+
+void tst_Worn::aSkirtHasNoNeckOpening() {
+    QVERIFY(!hasNeckOpening(skirt(), post()));
+    QVERIFY(hasNeckOpening(tube({0, 1.2, 0}, 0.25, 0.11), post()));
 }
 
 void tst_Worn::theBackNeckPointIsMeasuredToTheNape() {

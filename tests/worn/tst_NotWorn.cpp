@@ -67,6 +67,7 @@ private slots:
     void aPieceInsideOut();
     void withoutGravity();
     void aWaistbandFarTooWide();
+    void aWaistbandFarTooNarrow();
     void aSeamHeldOpenByTheBody();
 };
 
@@ -139,6 +140,14 @@ void tst_NotWorn::aWaistbandFarTooWide() {
     QVERIFY(*wide.worn->waistDrop > *fitting.worn->waistDrop + 0.5);
     QVERIFY2(says(wide, "No limb passes through the opening"), reasonsOf(wide).c_str());
     QVERIFY2(!says(fitting, "No limb passes through the opening"), reasonsOf(fitting).c_str());
+}
+
+void tst_NotWorn::aWaistbandFarTooNarrow() {
+    const SewReport narrow = skirtWithWaist(-0.080);
+    QVERIFY(!narrow.worn->worn);
+    QVERIFY2(says(narrow, "Woven cloth is stretched by"), reasonsOf(narrow).c_str());
+    QVERIFY2(says(narrow, "A hundredth of the woven cloth is stretched by more than"), reasonsOf(narrow).c_str());
+    QVERIFY(narrow.worn->wovenStrain->warpMaximum > 0.05); // warp runs round the waist
 }
 
 void tst_NotWorn::aSeamHeldOpenByTheBody() {

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace toile::simulation {
+
+/// How far cloth is strained, over the elements of a garment or of some of its pieces.
+struct StrainSummary {
+    double warpMaximum = 0, weftMaximum = 0, shearMaximum = 0; ///< largest stretch [–]; shear angle [rad]
+    double warpPercentile99 = 0, weftPercentile99 = 0;         ///< of the area [–]
+    double rms = 0;                                            ///< of warp and weft strain over the area [–]
+};
+
+} // namespace toile::simulation
