@@ -2,6 +2,7 @@
 #include "core/dynamics/Method.h"
 
 #include "core/base/Contracts.h"
+#include "core/dynamics/AdaptiveTrBdf2.h"
 #include "core/dynamics/BaraffWitkin.h"
 #include "core/dynamics/Bdf2.h"
 #include "core/dynamics/RungeKutta4.h"

@@ -22,6 +22,7 @@ struct IntegratorSettings {
     double speedLimit = 0;        ///< of XPBD [m/s]; 0 = none
     double tolerance = 1e-4;      ///< of implicit methods: ImplicitSettings
     int gradientIterations = 200; ///< of implicit methods: ImplicitSettings
+    double positionTolerance = 0; ///< of TR-BDF2: AdaptiveSettings [m]; 0 = steps as they are given
 };
 
 /// The model is borrowed.

@@ -25,6 +25,7 @@ public:
     void add(int i, int j, const double (&block)[9]) override {
         for (const auto& [row, rowWeight] : eliminated_.termsOf(i))
             for (const auto& [column, columnWeight] : eliminated_.termsOf(j)) {
+                if (row < column) continue; // the matrix keeps the other half
                 const double weight = rowWeight * columnWeight;
                 if (weight == 1) {
                     target_.add(row, column, block);
@@ -342,7 +343,7 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, c
                    "Finding the equilibrium");
         MinimiserIteration log{.energy = now.energy, .residual = residual};
         // Conjugate gradients need not know the step better than the step knows the minimum.
-        const double forcing = std::clamp(residual * residual / (lastResidual * lastResidual), 1e-4, 0.1);
+        const double forcing = std::clamp(residual * residual / (lastResidual * lastResidual), 1e-4, 0.03);
         const double tolerance = std::max(forcing * now.largest, 0.1 * goal * scale);
         lastResidual = residual;
         Step step = stepAt(x, now.forces, tolerance, log);

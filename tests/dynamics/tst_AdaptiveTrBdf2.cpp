@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/AdaptiveTrBdf2.h"
+#include "tests/validation/Flap.h"
+
+#include <QTest>
+
+using namespace toile;
+using namespace toile::fixtures;
+using dynamics::AdaptiveTrBdf2;
+using dynamics::StepReport;
+
+namespace {
+
+const Vec3 gravity{0, -9.81, 0};
+
+/// The flap of 8 × 8 cells after some frame steps.
+struct After {
+    std::vector<Vec3> positions;
+    StepReport report{.parts = 0};
+};
+After fallen(const Flap& sheet, double tolerance, int frames, double smallestStep = 1e-6) {
+    AdaptiveTrBdf2 integrator(sheet.model, {{.damping = flapDamping}, tolerance, smallestStep});
+    dynamics::ParticleState state = sheet.state;
+    After after;
+    for (int i = 0; i < frames; ++i) {
+        const auto step = integrator.step(state, 1.0 / 30, gravity);
+        if (!step) qFatal("%s", toString(step.error()).c_str());
+        after.report += *step;
+    }
+    after.positions = state.positions;
+    return after;
+}
+
+} // namespace
+
+class tst_AdaptiveTrBdf2 : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aTighterToleranceGivesASmallerErrorForMoreParts() {
+        const Flap sheet = flap(8, 100);
+        const After exact = fallen(sheet, 1e-7, 12), coarse = fallen(sheet, 1e-3, 12),
+                    fine = fallen(sheet, 1e-5, 12);
+        const double coarseError = rmsDistance(sheet.model, coarse.positions, exact.positions);
+        const double fineError = rmsDistance(sheet.model, fine.positions, exact.positions);
+        QVERIFY(fine.report.parts > 2 * coarse.report.parts);
+        QVERIFY(fineError < 0.2 * coarseError);
+        QVERIFY(coarseError < 12 * 1e-3 && fineError < 12 * 1e-5 * 10); // the errors of parts add up
+        QVERIFY(coarse.report.accurate && fine.report.accurate && exact.report.accurate);
+    }
+
+    void stiffWavesDoNotDictateTheStep() {
+        const After soft = fallen(flap(8, 1), 1e-3, 12), stiff = fallen(flap(8, 1e4), 1e-3, 12);
+        QVERIFY(stiff.report.parts <= 3 * soft.report.parts);
+    }
+
+    void whatHangsStillTakesWholeSteps() {
+        Flap sheet = flap(4, 1);
+        for (Vec3& p : sheet.state.positions) p = {p.x, -p.z, 0}; // hanging, nearly at rest
+        const int frames = 30;
+        AdaptiveTrBdf2 integrator(sheet.model, {{.damping = 10}, 1e-3});
+        int parts = 0;
+        for (int i = 0; i < frames; ++i) {
+            const auto step = integrator.step(sheet.state, 1.0 / 60, gravity);
+            QVERIFY(step);
+            parts = step->parts;
+        }
+        QCOMPARE(parts, 1);
+    }
+
+    void theSmallestPartIsTakenWithAFlagAndNeverALoop() {
+        const Flap sheet = flap(4, 100);
+        const After after = fallen(sheet, 1e-30, 1, 1.0 / 300); // no step is ever good enough
+        QVERIFY(!after.report.accurate);
+        QVERIFY(after.report.parts >= 8 && after.report.parts <= 20);
+        QVERIFY(after.report.repeated > 0);
+    }
+
+    void aJoltShortensTheParts() {
+        Flap sheet = flap(8, 100);
+        AdaptiveTrBdf2 integrator(sheet.model, {{.damping = flapDamping}, 1e-4});
+        const auto calm = integrator.step(sheet.state, 1.0 / 240, gravity);
+        for (std::size_t p = 0; p < sheet.state.velocities.size(); p += 2) sheet.state.velocities[p].y += 5;
+        const auto jolted = integrator.step(sheet.state, 1.0 / 240, gravity);
+        QVERIFY(calm && jolted);
+        QVERIFY(jolted->parts > calm->parts && jolted->repeated > 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(tst_AdaptiveTrBdf2)
+#include "tst_AdaptiveTrBdf2.moc"
