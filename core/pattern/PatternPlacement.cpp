@@ -56,4 +56,12 @@ Result<Pattern> setCurl(const Pattern& pattern, const PieceId& piece, const std:
     });
 }
 
+Placement mirrored(const Placement& placement) {
+    const auto opposite = [](const Vec3& v) { return Vec3{-v.x, v.y, v.z}; };
+    const Transform& t = placement.transform;
+    Placement result{{opposite(-t.axisX), opposite(t.axisY), opposite(t.axisZ), opposite(t.origin)}, placement.curl};
+    if (result.curl) result.curl->axis.x = -result.curl->axis.x;
+    return result;
+}
+
 } // namespace toile::pattern

@@ -14,6 +14,10 @@ namespace toile::pattern {
 /// Absent = flat. The axis is made a unit vector; the piece stays where its origin is.
 [[nodiscard]] Result<Pattern> setCurl(const Pattern& pattern, const PieceId& piece, const std::optional<Curl>& curl);
 
+/// The placement of a mirror image about the piece's own y axis, so that it lies opposite in space: mirrored in the plane
+/// x = 0, which halves a body.
+[[nodiscard]] Placement mirrored(const Placement& placement);
+
 /// A rigid motion: orthonormal axes, right-handed, to 1e-6.
 [[nodiscard]] bool isRigid(const Transform& transform);
 

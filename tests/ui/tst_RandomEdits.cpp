@@ -55,7 +55,8 @@ struct Monkey {
     void useATool() {
         static const char* tools[] = {"tool.transform",    "tool.editPoints",   "tool.drawPiece",
                                       "tool.internalLine", "tool.paintPolygon", "tool.paintBrush",
-                                      "tool.sewSegments",  "tool.sewFree",      "tool.editSewing"};
+                                      "tool.sewSegments",  "tool.sewFree",      "tool.editSewing",
+                                      "tool.notch",        "tool.dart",         "tool.hole"};
         bench.action(oneOf(tools))->trigger();
         for (int i = static_cast<int>(random() % 5); i >= 0; --i) {
             if (random() % 3 == 0)

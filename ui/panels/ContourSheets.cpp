@@ -2,6 +2,7 @@
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternContours.h"
 #include "core/pattern/PatternMeasures.h"
+#include "core/pattern/PatternPieces.h"
 #include "core/pattern/PatternRegions.h"
 #include "ui/panels/PropertySheet.h"
 #include "ui/values/Picking.h"
@@ -31,6 +32,41 @@ QString nameOf(const Desk& desk, const PieceId& id) {
     return piece ? QString::fromStdString(piece->name) : QString();
 }
 
+/// Rows for each notch of an edge that the owner has: where it lies from the edge's start, what it looks like.
+void addNotchRows(PropertySheet& sheet, const Piece& owner, const EdgeId& edge) {
+    const PieceId piece = owner.id;
+    const double length = edgeLength(owner, edge);
+    const auto change = [piece](std::size_t index, auto edit) {
+        return setting([piece, index, edit](const Pattern& p, auto value) {
+            return changedShape(p, piece, [&](Piece& changed) -> Result<void> {
+                if (index < changed.notches.size()) edit(changed.notches[index], value);
+                return {};
+            });
+        });
+    };
+    int number = 0;
+    for (std::size_t i = 0; i < owner.notches.size(); ++i) {
+        const Notch& notch = owner.notches[i];
+        if (notch.edge != edge) continue;
+        const QString name = QStringLiteral("notch%1").arg(++number);
+        sheet.rows.push_back({name + QStringLiteral("Heading"), tr("Notch %1").arg(number), HeadingRow{}});
+        sheet.rows.push_back({name + QStringLiteral("Position"), tr("From the start"),
+                              NumberRow{Quantity::length, notch.position * length, 0, length, 1,
+                                        change(i, [length](Notch& n, double value) { n.position = std::clamp(value / length, 0.0, 1.0); })}});
+        sheet.rows.push_back({name + QStringLiteral("Kind"), tr("Kind"),
+                              ChoiceRow{{tr("Slit"), tr("V"), tr("T"), tr("Castle")}, static_cast<int>(notch.kind),
+                                        change(i, [](Notch& n, int kind) { n.kind = static_cast<NotchKind>(kind); })}});
+        sheet.rows.push_back({name + QStringLiteral("Double"), tr("Double"),
+                              FlagRow{notch.isDouble, change(i, [](Notch& n, bool on) { n.isDouble = on; })},
+                              tr("The trade marks backs with two.")});
+        sheet.rows.push_back({name + QStringLiteral("Remove"), tr("Take notch %1 out").arg(number),
+                              ActionRow{setting([piece, i](const Pattern& p) { return removeNotch(p, piece, i); })}});
+    }
+}
+
+/// Where an image's shape is changed.
+FactRow imageOf(const Piece& owner) { return {tr("%1; what is done here is done there").arg(QString::fromStdString(owner.name))}; }
+
 /// A curve that looks like the edge does now, in the wanted kind of shape.
 EdgeShape shapeOfKind(const geometry::Curve& curve, int kind) {
     if (kind == 1) {
@@ -59,25 +95,32 @@ PropertySheet edgeSheet(const Desk& desk, const EdgeRef& ref) {
     if (!place) return sheet;
     sheet.rows.push_back({QStringLiteral("piece"), tr("Piece"), FactRow{nameOf(desk, ref.piece)}});
     sheet.rows.push_back({QStringLiteral("length"), tr("Length"), FactRow{textOf(Quantity::length, edgeLength(*owner, ref.edge))}});
-    if (piece->mirror) return sheet;
+    if (piece->mirror) sheet.rows.push_back({QStringLiteral("mirror"), tr("Mirror image of"), imageOf(*owner)});
     const geometry::Curve curve = curveOf(*owner, *place);
+    const PieceId id = owner->id;
     sheet.rows.push_back({QStringLiteral("shape"), tr("Shape"),
                           ChoiceRow{{tr("Line"), tr("Curve"), tr("Arc")}, static_cast<int>(curve.shape.index()),
-                                    setting([ref, curve](const Pattern& p, int kind) {
-                                        return setEdgeShape(p, ref.piece, ref.edge, shapeOfKind(curve, kind));
+                                    setting([id, ref, curve](const Pattern& p, int kind) {
+                                        return setEdgeShape(p, id, ref.edge, shapeOfKind(curve, kind));
                                     })}});
     const auto& allowance = loopOf(*owner, place->loop).edges[place->index].seamAllowance;
     sheet.rows.push_back({QStringLiteral("ownAllowance"), tr("Own seam allowance"),
-                          FlagRow{allowance.has_value(), setting([ref, piece](const Pattern& p, bool on) {
-                                      const Piece* now = findPiece(p, ref.piece);
-                                      return setEdgeSeamAllowance(p, ref.piece, ref.edge,
+                          FlagRow{allowance.has_value(), setting([id, ref](const Pattern& p, bool on) {
+                                      const Piece* now = findPiece(p, id);
+                                      return setEdgeSeamAllowance(p, id, ref.edge,
                                                                   on && now ? std::optional(now->seamAllowance) : std::nullopt);
                                   })}});
     if (allowance)
         sheet.rows.push_back({QStringLiteral("seamAllowance"), tr("Seam allowance"),
-                              NumberRow{Quantity::length, *allowance, 0, 0.1, 1, setting([ref](const Pattern& p, double value) {
-                                            return setEdgeSeamAllowance(p, ref.piece, ref.edge, value);
+                              NumberRow{Quantity::length, *allowance, 0, 0.1, 1, setting([id, ref](const Pattern& p, double value) {
+                                            return setEdgeSeamAllowance(p, id, ref.edge, value);
                                         })}});
+    addNotchRows(sheet, *owner, ref.edge);
+    if (place->loop > 0)
+        sheet.rows.push_back({QStringLiteral("removeHole"), tr("Delete hole"),
+                              ActionRow{setting([id, hole = static_cast<std::size_t>(place->loop - 1)](const Pattern& p) {
+                                  return deleteHole(p, id, hole).map([](Edited edited) { return std::move(edited.pattern); });
+                              })}});
     return sheet;
 }
 
@@ -88,6 +131,17 @@ PropertySheet vertexSheet(const Desk& desk, const VertexRef& ref) {
     if (!piece || !position) return sheet;
     sheet.rows.push_back({QStringLiteral("piece"), tr("Piece"), FactRow{nameOf(desk, ref.piece)}});
     sheet.rows.push_back({QStringLiteral("angle"), tr("Corner"), FactRow{textOf(Quantity::angle, cornerAngle(piece->piece, ref.vertex))}});
+    const auto& pins = desk.document.pattern.pins;
+    const auto pin = std::ranges::find_if(pins, [&](const Pin& p) { return p.piece == ref.piece && p.vertex == ref.vertex; });
+    const std::optional<PinId> pinned = pin == pins.end() ? std::nullopt : std::optional(pin->id);
+    sheet.rows.push_back({QStringLiteral("pinned"), tr("Pinned"),
+                          FlagRow{pinned.has_value(),
+                                  [ref, pinned](const Document& document, bool on) -> DocumentResult {
+                                      return document::edited(document, [&](const Pattern& p, IdSource& ids) {
+                                          return on ? addPin(p, ref.piece, ref.vertex, ids) : pinned ? removePin(p, *pinned) : Result<Pattern>(p);
+                                      });
+                                  }},
+                          tr("Held at its starting place while time runs.")});
     if (piece->piece.mirror) return sheet;
     const Vec2 at = *position - piece->piece.tablePosition;
     const auto row = [&](const char* name, const QString& label, double value, bool isX) {
@@ -101,10 +155,12 @@ PropertySheet vertexSheet(const Desk& desk, const VertexRef& ref) {
     return sheet;
 }
 
-PropertySheet regionSheet(const Document& document, const RegionRef& ref) {
+PropertySheet regionSheet(const Document& document, const RegionRef& touchedRef) {
     PropertySheet sheet{tr("Region"), {}};
-    const Piece* piece = findPiece(document.pattern, ref.piece);
+    const Piece* touched = findPiece(document.pattern, touchedRef.piece);
+    const Piece* piece = touched ? shapeOf(document.pattern, *touched) : nullptr;
     if (!piece) return sheet;
+    const RegionRef ref{piece->id, touchedRef.region};
     const auto region = std::ranges::find(piece->regions, ref.region, &Region::id);
     if (region == piece->regions.end()) return sheet;
     sheet.rows.push_back({QStringLiteral("name"), tr("Name"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternFabrics.h"
+#include "core/pattern/PatternMeasures.h"
 #include "core/pattern/PatternPieces.h"
 #include "core/pattern/PatternPlacement.h"
 #include "ui/panels/PropertySheet.h"
@@ -46,6 +47,22 @@ Transform turned(const Transform& transform, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     const auto turn = [&](const Vec3& v) { return Vec3{c * v.x + s * v.z, v.y, c * v.z - s * v.x}; };
     return {turn(transform.axisX), turn(transform.axisY), turn(transform.axisZ), transform.origin};
+}
+
+/// A linked image beside the piece on the table, opposite to it in space.
+DocumentResult withImage(const Document& document, const PieceId& id) {
+    constexpr double apart = 0.05; // on the table [m]
+    return document::edited(document, [&](const Pattern& pattern, IdSource& ids) -> Result<Pattern> {
+        const Piece* piece = findPiece(pattern, id);
+        if (!piece) return pattern;
+        auto next = addMirrorPiece(pattern, id, {0, 0}, {0, 1}, tr("%1 mirrored").arg(QString::fromStdString(piece->name)).toStdString(), ids);
+        if (!next) return next;
+        const PieceId image = next->pieces.back()->id;
+        const double half = geometry::boundsOf(flattened(piece->outline, 1e-3)).high.x;
+        next = movePiece(*next, image, piece->tablePosition + Vec2{2 * half + apart, 0});
+        if (next && piece->placement) next = setPlacement(*next, image, mirrored(*piece->placement));
+        return next;
+    });
 }
 
 PropertyRow originRow(const Piece& piece, int axis, const QString& label) {
@@ -141,6 +158,10 @@ PropertySheet pieceSheet(const Document& document, const Piece& piece, const mes
     sheet.rows.push_back({QStringLiteral("seamAllowance"), tr("Seam allowance"),
                           NumberRow{Quantity::length, piece.seamAllowance, 0, 0.1, 1,
                                     setting(piece.id, setSeamAllowance)}});
+    if (!piece.mirror)
+        sheet.rows.push_back({QStringLiteral("addMirror"), tr("Add mirror image"),
+                              ActionRow{[id = piece.id](const Document& d) { return withImage(d, id); }},
+                              tr("It follows every change of this piece.")});
     addPlacementRows(sheet, piece);
     addMeshFacts(sheet, document, piece, mesh);
     return sheet;

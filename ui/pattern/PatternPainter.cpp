@@ -114,6 +114,18 @@ void paintNotches(QPainter& painter, const ViewTransform& view, const FlatPiece&
     }
 }
 
+/// Points that are held: pin heads.
+void paintPins(QPainter& painter, const ViewTransform& view, const FlatPiece& piece, const Pattern& pattern) {
+    for (const Pin& pin : pattern.pins) {
+        if (pin.piece != piece.piece.id) continue;
+        const auto place = placeOf(piece.piece, pin.vertex);
+        if (!place) continue;
+        painter.setPen(QPen(Qt::white, 1.5));
+        painter.setBrush(colours::warning);
+        painter.drawEllipse(view.toScreen(piece.contour(place->loop).vertices[place->vertex].position), 5, 5);
+    }
+}
+
 void paintInternalLines(QPainter& painter, const ViewTransform& view, const Piece& piece) {
     painter.setPen(QPen(colours::quiet, 1, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
@@ -181,6 +193,7 @@ void paintPieces(QPainter& painter, const ViewTransform& view, const PatternPict
         paintNotches(painter, view, piece);
         paintGrain(painter, view, piece);
         paintHighlights(painter, view, piece, picture);
+        paintPins(painter, view, piece, picture.pattern);
         if (picture.look.names) paintName(painter, view, piece);
     }
 }

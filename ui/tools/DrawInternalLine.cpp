@@ -3,8 +3,10 @@
 
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/Editing.h"
+#include "ui/tools/DeleteSelection.h"
 #include "ui/tools/DrawPiece.h"
 #include "ui/values/Picking.h"
+#include "ui/values/ShapeOwner.h"
 
 #include <QCoreApplication>
 
@@ -40,6 +42,7 @@ Effect DrawInternalLine::doubleClick(const Desk& desk, const PointerEvent&) { re
 
 Effect DrawInternalLine::key(const Desk& desk, ToolKey key) {
     if (key == ToolKey::enter) return finish(desk);
+    if (key == ToolKey::erase && points_.empty()) return deleteSelection(desk);
     if (key == ToolKey::escape) cancel();
     if (key == ToolKey::backspace && !points_.empty()) points_.pop_back();
     return {};
@@ -51,12 +54,12 @@ Effect DrawInternalLine::finish(const Desk& desk) {
         cancel();
         return {};
     }
-    std::vector<Vec2> points = points_;
-    for (Vec2& point : points) point -= piece->piece.tablePosition;
+    const ShapeOwner owner = shapeOwner(desk.document.pattern, piece_);
+    const std::vector<Vec2> points = owner.points(points_);
     cancel();
     const std::string name = tr("Line %1").arg(piece->piece.internalLines.size() + 1).toStdString();
     return effectOf(tr("Draw internal line"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-        return changedShape(pattern, piece_, [&](Piece& changed) -> Result<void> {
+        return changedShape(pattern, owner.piece, [&](Piece& changed) -> Result<void> {
             changed.internalLines.push_back({name, points});
             return {};
         });

@@ -4,6 +4,7 @@
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternContours.h"
 #include "core/pattern/PatternPieces.h"
+#include "ui/tools/DeleteSelection.h"
 #include "ui/values/Units.h"
 
 #include <QCoreApplication>
@@ -96,7 +97,7 @@ Effect DrawPiece::key(const Desk& desk, ToolKey key) {
         pulling_ = false;
         return {};
     case ToolKey::escape: cancel(); return {};
-    case ToolKey::erase: return {};
+    case ToolKey::erase: return points_.empty() ? deleteSelection(desk) : Effect{};
     }
     return {};
 }

@@ -4,19 +4,23 @@
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternContours.h"
 #include "core/pattern/PatternMeasures.h"
-#include "ui/tools/DrawPiece.h"
+#include "ui/tools/DeleteSelection.h"
+#include "ui/values/ShapeOwner.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace toile::ui {
 namespace {
 
 using namespace pattern;
 
-QString tr(const char* text) { return QCoreApplication::translate("EditPoints", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("EditPoints", text);
+}
 
 /// The nearest thing that this tool can select.
 std::optional<Item> itemAt(const Desk& desk, const PointerEvent& event) {
@@ -26,10 +30,15 @@ std::optional<Item> itemAt(const Desk& desk, const PointerEvent& event) {
     return std::nullopt;
 }
 
-std::map<PieceId, std::vector<VertexId>> byPiece(const Selection& selection) {
+/// Selected vertices by the piece that was touched; one that is selected in a piece and in its image counts
+/// once.
+std::map<PieceId, std::vector<VertexId>> byPiece(const Pattern& pattern, const Selection& selection) {
     std::map<PieceId, std::vector<VertexId>> result;
+    std::set<std::pair<PieceId, VertexId>> seen;
     for (const Item& item : selection)
-        if (const auto* vertex = std::get_if<VertexRef>(&item)) result[vertex->piece].push_back(vertex->vertex);
+        if (const auto* vertex = std::get_if<VertexRef>(&item);
+            vertex && seen.insert({shapeOwner(pattern, vertex->piece).piece, vertex->vertex}).second)
+            result[vertex->piece].push_back(vertex->vertex);
     return result;
 }
 
@@ -43,9 +52,10 @@ Selection endsOf(const FlatPattern& flat, const EdgeRef& edge) {
             VertexRef{edge.piece, vertices[(place->edge + 1) % vertices.size()].id}};
 }
 
-/// The vertices that a piece has got.
+/// The vertices that a piece, or the source of an image, has got.
 Selection newVertices(const Pattern& before, const Pattern& after, const PieceId& id) {
-    const Piece *old = findPiece(before, id), *now = findPiece(after, id);
+    const PieceId owner = shapeOwner(before, id).piece;
+    const Piece *old = findPiece(before, owner), *now = findPiece(after, owner);
     if (!old || !now) return {};
     Selection found;
     for (std::size_t loop = 0; loop <= now->holes.size(); ++loop)
@@ -58,25 +68,17 @@ Selection newVertices(const Pattern& before, const Pattern& after, const PieceId
 
 Effect EditPoints::press(const Desk& desk, const PointerEvent& event) {
     if (event.button != Button::left) return {};
-    Effect effect;
-    effect.endsMerge = true;
-    drag_ = Drag{std::nullopt, event.position, {}, false};
-    ++drags_;
+    Effect effect = dragEnd();
+    drag_.emplace(event.position, "drag points", ++drags_);
     const bool onVertex = vertexAt(desk.flat, event.position, event.tolerance).has_value();
-    if (const auto handle = onVertex ? std::nullopt : handleAt(desk.flat, event.position, event.tolerance)) {
-        drag_->handle = handle;
-        effect.selection = Selection{handle->edge};
+    handle_ = onVertex ? std::nullopt : handleAt(desk.flat, event.position, event.tolerance);
+    if (handle_) {
+        effect.selection = Selection{handle_->edge};
         return effect;
     }
     const auto item = itemAt(desk, event);
-    if (!item) {
-        drag_.reset();
-        if (!event.modifiers.shift) effect.selection = Selection{};
-    } else if (event.modifiers.shift) {
-        effect.selection = toggled(desk.selection, *item);
-    } else if (!contains(desk.selection, *item)) {
-        effect.selection = Selection{*item};
-    }
+    if (!item) drag_.reset();
+    effect.selection = pressedSelection(desk.selection, item, event.modifiers.shift);
     return effect;
 }
 
@@ -86,50 +88,53 @@ Effect EditPoints::move(const Desk& desk, const PointerEvent& event) {
         if (hovered_ && std::holds_alternative<PieceId>(*hovered_)) hovered_.reset();
         return {};
     }
-    Vec2 to = event.position;
-    if (event.modifiers.shift) to = alignedTo45(drag_->pressedAt, to);
-    const Vec2 by = to - drag_->pressedAt;
-    if (!drag_->started && length(by) <= event.tolerance / 2) return {};
-    drag_->started = true;
-    return drag(desk, by);
+    const auto way = drag_->wayTo(event);
+    if (!way) return {};
+    Effect effect = handle_ ? dragHandle(desk, *way) : dragVertices(desk, *way);
+    if (effect.edit) drag_->went(*way);
+    return effect;
 }
 
-/// Moves what is dragged so that it lies `by` from where it was when the button went down.
-Effect EditPoints::drag(const Desk& desk, Vec2 by) {
-    const std::string key = "drag points " + std::to_string(drags_);
-    if (drag_->handle) {
-        const HandleRef handle = *drag_->handle;
-        const FlatPiece* piece = findPiece(desk.flat, handle.edge.piece);
-        if (!piece) return {};
-        const Vec2 to = drag_->pressedAt + by - piece->piece.tablePosition;
-        return effectOf(tr("Move handle"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-            return moveHandle(pattern, handle.edge.piece, handle.edge.edge,
-                              handle.control == 1 ? Handle::first : Handle::second, to);
-        }), key);
-    }
+Effect EditPoints::dragHandle(const Desk& desk, Vec2 way) const {
+    const ShapeOwner owner = shapeOwner(desk.document.pattern, handle_->edge.piece);
+    const Vec2 to = owner.point(drag_->pressedAt() + way);
+    const bool first =
+        (handle_->control == 1) != owner.mirror.has_value(); // an image's edges run against the source's
+    return effectOf(tr("Move handle"),
+                    document::edited(desk.document,
+                                     [&](const Pattern& pattern, IdSource&) {
+                                         return moveHandle(pattern, owner.piece, handle_->edge.edge,
+                                                           first ? Handle::first : Handle::second, to);
+                                     }),
+                    drag_->mergeKey());
+}
+
+Effect EditPoints::dragVertices(const Desk& desk, Vec2 way) const {
     Selection selection = desk.selection;
     for (const Item& item : desk.selection)
         if (const auto* edge = std::get_if<EdgeRef>(&item))
             for (const Item& end : endsOf(desk.flat, *edge))
                 if (!contains(selection, end)) selection.push_back(end);
-    const Vec2 way = by - drag_->last;
-    const auto moved = byPiece(selection);
+    const auto moved = byPiece(desk.document.pattern, selection);
     if (moved.empty()) return {};
-    Effect effect = effectOf(tr("Move points"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-        Result<Pattern> result = pattern;
-        for (const auto& [piece, vertices] : moved)
-            if (result) result = moveVertices(*result, piece, vertices, way);
-        return result;
-    }), key);
-    if (effect.edit) drag_->last = by;
-    return effect;
+    return effectOf(tr("Move points"),
+                    document::edited(desk.document,
+                                     [&](const Pattern& pattern, IdSource&) {
+                                         Result<Pattern> result = pattern;
+                                         for (const auto& [piece, vertices] : moved) {
+                                             const ShapeOwner owner = shapeOwner(pattern, piece);
+                                             if (result)
+                                                 result = moveVertices(*result, owner.piece, vertices,
+                                                                       owner.way(drag_->rest(way)));
+                                         }
+                                         return result;
+                                     }),
+                    drag_->mergeKey());
 }
 
 Effect EditPoints::release(const Desk&, const PointerEvent&) {
     drag_.reset();
-    Effect effect;
-    effect.endsMerge = true;
-    return effect;
+    return dragEnd();
 }
 
 Effect EditPoints::doubleClick(const Desk& desk, const PointerEvent& event) {
@@ -137,36 +142,20 @@ Effect EditPoints::doubleClick(const Desk& desk, const PointerEvent& event) {
     if (vertexAt(desk.flat, event.position, event.tolerance)) return {};
     const auto hit = edgeAt(desk.flat, event.position, event.tolerance);
     if (!hit) return {};
-    Effect effect = effectOf(tr("Insert point"), document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
-        return insertVertex(pattern, hit->edge.piece, hit->edge.edge, hit->fraction, ids);
-    }));
-    if (effect.edit) effect.selection = newVertices(desk.document.pattern, effect.edit->after.pattern, hit->edge.piece);
+    Effect effect = effectOf(tr("Insert point"),
+                             document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
+                                 return insertVertex(pattern, shapeOwner(pattern, hit->edge.piece).piece,
+                                                     hit->edge.edge, hit->fraction, ids);
+                             }));
+    if (effect.edit)
+        effect.selection = newVertices(desk.document.pattern, effect.edit->after.pattern, hit->edge.piece);
     return effect;
 }
 
 Effect EditPoints::key(const Desk& desk, ToolKey key) {
-    if (key == ToolKey::escape) {
-        Effect effect;
-        effect.selection = Selection{};
-        return effect;
-    }
-    if (key != ToolKey::erase && key != ToolKey::backspace) return {};
-    const auto doomed = byPiece(desk.selection);
-    if (doomed.empty()) return {};
-    QString remarks;
-    Effect effect = effectOf(tr("Delete points"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-        Result<Pattern> result = pattern;
-        for (const auto& [piece, vertices] : doomed)
-            for (const VertexId& vertex : vertices) {
-                auto edited = deleteVertex(*result, piece, vertex);
-                if (!edited) return Result<Pattern>(tl::unexpected(edited.error()));
-                for (const Warning& warning : edited->warnings) remarks += QString::fromStdString(warning.text) + QLatin1Char(' ');
-                result = std::move(edited->pattern);
-            }
-        return result;
-    }));
-    if (effect.edit) effect.message = remarks.trimmed();
-    return effect;
+    Effect effect;
+    if (key == ToolKey::escape) effect.selection = Selection{};
+    return key == ToolKey::erase || key == ToolKey::backspace ? deleteSelection(desk) : effect;
 }
 
 void EditPoints::cancel() {
@@ -179,7 +168,8 @@ std::vector<Item> EditPoints::hovered() const {
 }
 
 QString EditPoints::hint() const {
-    return tr("Drag points, handles or edges; double-click an edge to insert a point, Delete removes. Shift adds.");
+    return tr(
+        "Drag points, handles or edges; double-click an edge to insert a point, Delete removes. Shift adds.");
 }
 
 } // namespace toile::ui

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tools/Tool.h"
+#include "ui/tools/DragWay.h"
 #include "ui/values/Picking.h"
 
 namespace toile::ui {
 
-/// Selects and moves vertices, Bézier handles and edges of pieces. A double click on an edge inserts a vertex, Delete
-/// removes the selected ones; Shift while picking adds, while dragging keeps the way on a multiple of 45°.
+/// Selects and moves vertices, Bézier handles and edges of pieces. A double click on an edge inserts a
+/// vertex, Delete removes the selected ones; Shift while picking adds, while dragging keeps the way on a
+/// multiple of 45°. What is done to a mirror image is done to its source.
 class EditPoints : public Tool {
 public:
     Effect press(const Desk& desk, const PointerEvent& event) override;
@@ -21,16 +22,11 @@ public:
     [[nodiscard]] bool showsPoints() const override { return true; }
 
 private:
-    /// What is being dragged: the selected vertices, or one handle.
-    struct Drag {
-        std::optional<HandleRef> handle;
-        Vec2 pressedAt;
-        Vec2 last; ///< where the dragged things are now, relative to pressedAt
-        bool started = false;
-    };
-    Effect drag(const Desk& desk, Vec2 by);
+    Effect dragHandle(const Desk& desk, Vec2 way) const;
+    Effect dragVertices(const Desk& desk, Vec2 way) const;
 
-    std::optional<Drag> drag_;
+    std::optional<DragWay> drag_;
+    std::optional<HandleRef> handle_; ///< that is dragged; none = the selected vertices are
     std::optional<Item> hovered_;
     int drags_ = 0; ///< makes the merge key of each drag its own
 };

@@ -3,6 +3,7 @@
 
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternSeams.h"
+#include "ui/tools/DeleteSelection.h"
 #include "ui/values/Picking.h"
 
 #include <QCoreApplication>
@@ -45,15 +46,7 @@ Effect EditSewing::doubleClick(const Desk& desk, const PointerEvent& event) {
 Effect EditSewing::key(const Desk& desk, ToolKey key) {
     Effect effect;
     if (key == ToolKey::escape) effect.selection = Selection{};
-    if (key != ToolKey::erase && key != ToolKey::backspace) return effect;
-    const auto* seam = lastOf<SeamId>(desk.selection);
-    if (!seam) return {};
-    return effectOf(tr("Delete seam"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-        Result<Pattern> result = pattern;
-        for (const Item& item : desk.selection)
-            if (const auto* doomed = std::get_if<SeamId>(&item); doomed && result) result = removeSeam(*result, *doomed);
-        return result;
-    }));
+    return key == ToolKey::erase || key == ToolKey::backspace ? deleteSelection(desk) : effect;
 }
 
 std::vector<Item> EditSewing::hovered() const {

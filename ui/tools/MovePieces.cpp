@@ -3,7 +3,7 @@
 
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternPieces.h"
-#include "ui/tools/DrawPiece.h"
+#include "ui/tools/DeleteSelection.h"
 #include "ui/values/Picking.h"
 
 #include <QCoreApplication>
@@ -13,7 +13,9 @@ namespace {
 
 using namespace pattern;
 
-QString tr(const char* text) { return QCoreApplication::translate("MovePieces", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("MovePieces", text);
+}
 
 std::vector<PieceId> piecesIn(const Selection& selection) {
     std::vector<PieceId> pieces;
@@ -33,18 +35,12 @@ Result<Pattern> movedOnTable(Result<Pattern> pattern, const std::vector<PieceId>
 
 Effect MovePieces::press(const Desk& desk, const PointerEvent& event) {
     if (event.button != Button::left) return {};
-    Effect effect;
-    effect.endsMerge = true;
+    Effect effect = dragEnd();
     const auto piece = pieceAt(desk.flat, event.position);
-    ++drags_;
-    if (!piece) {
-        drag_.reset();
-        if (!event.modifiers.shift) effect.selection = Selection{};
-        return effect;
-    }
-    drag_ = Drag{event.position, {}, false};
-    if (event.modifiers.shift) effect.selection = toggled(desk.selection, *piece);
-    else if (!contains(desk.selection, *piece)) effect.selection = Selection{*piece};
+    drag_.reset();
+    if (piece) drag_.emplace(event.position, "move pieces", ++drags_);
+    effect.selection = pressedSelection(desk.selection, piece ? std::optional<Item>(*piece) : std::nullopt,
+                                        event.modifiers.shift);
     return effect;
 }
 
@@ -53,47 +49,28 @@ Effect MovePieces::move(const Desk& desk, const PointerEvent& event) {
         hovered_ = pieceAt(desk.flat, event.position);
         return {};
     }
-    Vec2 to = event.position;
-    if (event.modifiers.shift) to = alignedTo45(drag_->pressedAt, to);
-    const Vec2 by = to - drag_->pressedAt;
-    if (!drag_->started && length(by) <= event.tolerance / 2) return {};
-    drag_->started = true;
+    const auto way = drag_->wayTo(event);
     const std::vector<PieceId> pieces = piecesIn(desk.selection);
-    if (pieces.empty()) return {};
-    Effect effect = effectOf(tr("Move piece"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-        return movedOnTable(pattern, pieces, by - drag_->last);
-    }), "move pieces " + std::to_string(drags_));
-    if (effect.edit) drag_->last = by;
+    if (!way || pieces.empty()) return {};
+    Effect effect = effectOf(tr("Move piece"),
+                             document::edited(desk.document,
+                                              [&](const Pattern& pattern, IdSource&) {
+                                                  return movedOnTable(pattern, pieces, drag_->rest(*way));
+                                              }),
+                             drag_->mergeKey());
+    if (effect.edit) drag_->went(*way);
     return effect;
 }
 
 Effect MovePieces::release(const Desk&, const PointerEvent&) {
     drag_.reset();
-    Effect effect;
-    effect.endsMerge = true;
-    return effect;
+    return dragEnd();
 }
 
 Effect MovePieces::key(const Desk& desk, ToolKey key) {
     Effect effect;
     if (key == ToolKey::escape) effect.selection = Selection{};
-    if (key != ToolKey::erase && key != ToolKey::backspace) return effect;
-    const std::vector<PieceId> doomed = piecesIn(desk.selection);
-    if (doomed.empty()) return {};
-    QString remarks;
-    effect = effectOf(tr("Delete piece"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-        Result<Pattern> result = pattern;
-        for (const PieceId& piece : doomed) {
-            if (!findPiece(*result, piece)) continue; // a mirror image that went with its source
-            auto edited = deletePiece(*result, piece);
-            if (!edited) return Result<Pattern>(tl::unexpected(edited.error()));
-            for (const Warning& warning : edited->warnings) remarks += QString::fromStdString(warning.text) + QLatin1Char(' ');
-            result = std::move(edited->pattern);
-        }
-        return result;
-    }));
-    if (effect.edit) effect.message = remarks.trimmed();
-    return effect;
+    return key == ToolKey::erase || key == ToolKey::backspace ? deleteSelection(desk) : effect;
 }
 
 void MovePieces::cancel() {
@@ -106,7 +83,8 @@ std::vector<Item> MovePieces::hovered() const {
 }
 
 QString MovePieces::hint() const {
-    return tr("Drag pieces to where you want them on the table; Shift adds to the selection, Delete takes out.");
+    return tr(
+        "Drag pieces to where you want them on the table; Shift adds to the selection, Delete takes out.");
 }
 
 } // namespace toile::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tools/Tool.h"
+#include "ui/tools/DragWay.h"
 
 namespace toile::ui {
 
@@ -18,11 +18,7 @@ public:
     [[nodiscard]] QString hint() const override;
 
 private:
-    struct Drag {
-        Vec2 pressedAt, last; ///< last: how far the pieces were moved
-        bool started = false;
-    };
-    std::optional<Drag> drag_;
+    std::optional<DragWay> drag_;
     std::optional<pattern::PieceId> hovered_;
     int drags_ = 0;
 };

@@ -2,8 +2,10 @@
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/Brush.h"
 #include "core/pattern/PatternRegions.h"
+#include "ui/tools/DeleteSelection.h"
 #include "ui/tools/PaintRegion.h"
 #include "ui/values/Picking.h"
+#include "ui/values/ShapeOwner.h"
 
 #include <QCoreApplication>
 
@@ -20,7 +22,7 @@ constexpr double smallestRadius = 0.002, largestRadius = 0.3; // [m]
 QString tr(const char* text) { return QCoreApplication::translate("PaintRegion", text); }
 
 const Region* findRegion(const Pattern& pattern, const RegionRef& ref) {
-    const Piece* piece = findPiece(pattern, ref.piece);
+    const Piece* piece = findPiece(pattern, shapeOwner(pattern, ref.piece).piece);
     if (!piece) return nullptr;
     const auto found = std::ranges::find(piece->regions, ref.region, &Region::id);
     return found == piece->regions.end() ? nullptr : &*found;
@@ -66,24 +68,23 @@ Effect PaintBrush::release(const Desk& desk, const PointerEvent&) {
 }
 
 Effect PaintBrush::paint(const Desk& desk, const Stroke& drawn) const {
-    const FlatPiece& piece = *findPiece(desk.flat, drawn.piece);
-    pattern::Stroke stroke{drawn.points, options_.radius};
-    for (Vec2& point : stroke.points) point -= piece.piece.tablePosition;
+    const ShapeOwner owner = shapeOwner(desk.document.pattern, drawn.piece);
+    const pattern::Stroke stroke{owner.points(drawn.points), options_.radius};
     for (const RegionRef& region : candidates(desk, drawn.piece, drawn.points.front(), options_.refinement)) {
         Effect effect = effectOf(tr("Paint region"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-            return paintRegion(pattern, region.piece, region.region, stroke);
+            return paintRegion(pattern, owner.piece, region.region, stroke);
         }));
         if (!effect.edit) continue; // the stroke does not touch it
         effect.selection = Selection{region};
         return effect;
     }
-    const std::string name = tr("Region %1").arg(piece.piece.regions.size() + 1).toStdString();
+    const std::string name = tr("Region %1").arg(findPiece(desk.flat, drawn.piece)->piece.regions.size() + 1).toStdString();
     Effect effect = effectOf(tr("Paint region"), document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
-        return paintNewRegion(pattern, drawn.piece, stroke, name, options_.refinement, ids);
+        return paintNewRegion(pattern, owner.piece, stroke, name, options_.refinement, ids);
     }));
     if (effect.edit)
         effect.selection =
-            Selection{RegionRef{drawn.piece, findPiece(effect.edit->after.pattern, drawn.piece)->regions.back().id}};
+            Selection{RegionRef{drawn.piece, findPiece(effect.edit->after.pattern, owner.piece)->regions.back().id}};
     return effect;
 }
 
@@ -92,17 +93,16 @@ Effect PaintBrush::erase(const Desk& desk, const Stroke& drawn) const {
     if (const auto* selected = lastOf<RegionRef>(desk.selection); !region && selected && selected->piece == drawn.piece)
         region = *selected;
     if (!region) return refusal(tr("There is no region here to take away from."));
-    const FlatPiece& piece = *findPiece(desk.flat, drawn.piece);
-    pattern::Stroke stroke{drawn.points, options_.radius};
-    for (Vec2& point : stroke.points) point -= piece.piece.tablePosition;
+    const ShapeOwner owner = shapeOwner(desk.document.pattern, drawn.piece);
+    const pattern::Stroke stroke{owner.points(drawn.points), options_.radius};
     return effectOf(tr("Erase region"), document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
-        return eraseRegion(pattern, region->piece, region->region, stroke, ids);
+        return eraseRegion(pattern, owner.piece, region->region, stroke, ids);
     }));
 }
 
 Effect PaintBrush::key(const Desk& desk, ToolKey key) {
     if (key == ToolKey::escape) cancel();
-    if (key == ToolKey::erase) return deleteRegions(desk);
+    if (key == ToolKey::erase) return deleteSelection(desk);
     return {};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tools/Tool.h"
+#include "ui/tools/PolygonTool.h"
 
 namespace toile::ui {
 
@@ -11,27 +11,17 @@ struct PaintOptions {
     double radius = 0.03;  ///< of the brush [m]
 };
 
-/// Paints a region by its corners: clicks set them, a click on the first, a double click or Enter closes, Backspace takes
-/// the last back, Esc gives up. The piece below the first corner gets the region.
-class PaintPolygon : public Tool {
+/// Paints a region by its corners.
+class PaintPolygon : public PolygonTool {
 public:
     explicit PaintPolygon(const PaintOptions& options) : options_(options) {}
-    Effect press(const Desk& desk, const PointerEvent& event) override;
-    Effect move(const Desk& desk, const PointerEvent& event) override;
-    Effect doubleClick(const Desk& desk, const PointerEvent& event) override;
-    Effect key(const Desk& desk, ToolKey key) override;
-    void cancel() override;
-    [[nodiscard]] Overlay overlay(const Desk& desk) const override;
-    [[nodiscard]] QString hint() const override;
+
+protected:
+    [[nodiscard]] Effect made(const Desk& desk, const pattern::PieceId& piece, const std::vector<Vec2>& corners) const override;
+    [[nodiscard]] QString firstHint() const override;
 
 private:
-    [[nodiscard]] bool closes(const PointerEvent& event) const;
-    Effect finish(const Desk& desk);
-
     const PaintOptions& options_;
-    pattern::PieceId piece_;
-    std::vector<Vec2> corners_;
-    Vec2 pointer_;
 };
 
 /// Paints a region with a round brush. A stroke that begins on a region of the same refinement, or while such a region of
@@ -62,8 +52,5 @@ private:
     std::optional<Stroke> stroke_;
     Vec2 pointer_;
 };
-
-/// Deletes the selected regions.
-[[nodiscard]] Effect deleteRegions(const Desk& desk);
 
 } // namespace toile::ui

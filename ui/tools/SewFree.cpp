@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/SewFree.h"
 
+#include "ui/tools/DeleteSelection.h"
+
 #include <QCoreApplication>
 
 #include <cmath>
@@ -64,7 +66,8 @@ Effect SewFree::move(const Desk& desk, const PointerEvent& event) {
     return {};
 }
 
-Effect SewFree::key(const Desk&, ToolKey key) {
+Effect SewFree::key(const Desk& desk, ToolKey key) {
+    if (key == ToolKey::erase && picks_.empty()) return deleteSelection(desk);
     if (key == ToolKey::escape)
         cancel();
     else if (key != ToolKey::enter && !picks_.empty())

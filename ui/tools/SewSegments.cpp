@@ -3,6 +3,7 @@
 
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternSeams.h"
+#include "ui/tools/DeleteSelection.h"
 
 #include <QCoreApplication>
 

@@ -33,7 +33,7 @@ void MainWindow::makeViews() {
     view3D_ = new View3D;
     view3D_->setObjectName(QStringLiteral("view3D"));
     pattern_ = new PatternView(workbench_);
-    options_ = new ToolOptions(tools_.paint);
+    options_ = new ToolOptions(tools_);
     auto* patternSide = new QWidget;
     auto* column = new QVBoxLayout(patternSide);
     column->setContentsMargins(0, 0, 0, 0);
@@ -110,7 +110,7 @@ void MainWindow::makeToolBars() {
     bar->setIconSize({22, 22});
     actions_.fill(*bar, {"file.new", "file.open", "file.save", "-", "edit.undo", "edit.redo", "-", "simulation.play",
                          "simulation.step", "simulation.reset", "-", "tool.transform", "tool.editPoints", "tool.drawPiece",
-                         "tool.internalLine", "-", "tool.paintPolygon", "tool.paintBrush", "-", "tool.sewSegments",
+                         "tool.internalLine", "tool.notch", "tool.dart", "tool.hole", "-", "tool.paintPolygon", "tool.paintBrush", "-", "tool.sewSegments",
                          "tool.sewFree", "tool.editSewing", "-", "look.mesh", "view.fitAll"});
 }
 
@@ -144,10 +144,7 @@ void MainWindow::useTool(const QString& id) {
     showTool();
 }
 
-void MainWindow::showTool() {
-    const ToolBox::Entry& entry = tools_.entry(tool_);
-    options_->show(entry.text, entry.tool->hint(), entry.paints);
-}
+void MainWindow::showTool() { options_->show(tools_.entry(tool_)); }
 
 void MainWindow::showTitle() {
     const QString name = workbench_.path().isEmpty() ? tr("Untitled") : QFileInfo(workbench_.path()).fileName();

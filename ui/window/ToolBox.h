@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/tools/CutDart.h"
 #include "ui/tools/PaintRegion.h"
 #include "ui/tools/Tool.h"
 
@@ -16,15 +17,17 @@ class ToolBox {
 public:
     ToolBox();
 
+    enum class Uses { nothing, paintOptions, dartOptions };
     struct Entry {
         QString id, text, shortcut, icon;
         std::unique_ptr<Tool> tool;
-        bool paints = false; ///< uses the paint options
+        Uses uses = Uses::nothing;
     };
     [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
     [[nodiscard]] const Entry& entry(const QString& id) const;
 
     PaintOptions paint;
+    DartOptions dart;
 
 private:
     std::vector<Entry> entries_;

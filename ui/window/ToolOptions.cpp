@@ -9,8 +9,32 @@
 #include <QLabel>
 
 namespace toile::ui {
+namespace {
 
-ToolOptions::ToolOptions(PaintOptions& paint, QWidget* parent) : QWidget(parent), paint_(paint) {
+/// Shows a length and changes it.
+QDoubleSpinBox* lengthBox(const char* name, double low, double high, double& length) {
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(QLatin1String(name));
+    box->setRange(low, high);
+    box->setDecimals(0);
+    box->setSuffix(formatOf(Quantity::length).suffix);
+    box->setValue(shown(Quantity::length, length));
+    QObject::connect(box, &QDoubleSpinBox::valueChanged, box,
+                     [&length](double value) { length = fromShown(Quantity::length, value); });
+    return box;
+}
+
+QWidget* inARow(std::initializer_list<QWidget*> widgets) {
+    auto* part = new QWidget;
+    auto* row = new QHBoxLayout(part);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* widget : widgets) row->addWidget(widget);
+    return part;
+}
+
+} // namespace
+
+ToolOptions::ToolOptions(ToolBox& tools, QWidget* parent) : QWidget(parent), tools_(tools) {
     setObjectName(QStringLiteral("toolOptions"));
     name_ = new QLabel;
     QFont bold = name_->font();
@@ -20,49 +44,47 @@ ToolOptions::ToolOptions(PaintOptions& paint, QWidget* parent) : QWidget(parent)
     hint_->setObjectName(QStringLiteral("toolHint"));
     hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     hint_->setForegroundRole(QPalette::PlaceholderText);
-
-    refinement_ = new QComboBox;
-    refinement_->setObjectName(QStringLiteral("paintRefinement"));
-    for (int m = 0; m <= 5; ++m) refinement_->addItem(m == 0 ? tr("main spacing") : tr("1/%1 of main").arg(1 << m), m);
-    refinement_->setCurrentIndex(paint.refinement);
-    refinement_->setToolTip(tr("Spacing of the region: ε_m/2^m"));
-    connect(refinement_, &QComboBox::activated, this, [this](int m) { paint_.refinement = m; });
-
-    radius_ = new QDoubleSpinBox;
-    radius_->setObjectName(QStringLiteral("brushRadius"));
-    radius_->setRange(2, 300);
-    radius_->setDecimals(0);
-    radius_->setSuffix(formatOf(Quantity::length).suffix);
-    radius_->setToolTip(tr("Radius of the brush; Ctrl and the wheel change it as well"));
-    connect(radius_, &QDoubleSpinBox::valueChanged, this,
-            [this](double value) { paint_.radius = fromShown(Quantity::length, value); });
-
-    paintPart_ = new QWidget;
-    auto* row = new QHBoxLayout(paintPart_);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(new QLabel(tr("Spacing")));
-    row->addWidget(refinement_);
-    row->addWidget(new QLabel(tr("Brush")));
-    row->addWidget(radius_);
-
+    paintPart_ = makePaintPart();
+    dartPart_ = makeDartPart();
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(10, 4, 10, 4);
     layout->setSpacing(10);
     layout->addWidget(name_);
     layout->addWidget(hint_, 1);
     layout->addWidget(paintPart_);
+    layout->addWidget(dartPart_);
     setMinimumHeight(34);
 }
 
-void ToolOptions::show(const QString& name, const QString& hint, bool paints) {
-    name_->setText(name);
-    hintText_ = hint;
-    hint_->setToolTip(hint);
-    paintPart_->setVisible(paints);
+QWidget* ToolOptions::makePaintPart() {
+    auto* refinement = new QComboBox;
+    refinement->setObjectName(QStringLiteral("paintRefinement"));
+    for (int m = 0; m <= 5; ++m)
+        refinement->addItem(m == 0 ? tr("main spacing") : tr("1/%1 of main").arg(1 << m), m);
+    refinement->setCurrentIndex(tools_.paint.refinement);
+    refinement->setToolTip(tr("Spacing of the region: ε_m/2^m"));
+    connect(refinement, &QComboBox::activated, this, [this](int m) { tools_.paint.refinement = m; });
+    radius_ = lengthBox("brushRadius", 2, 300, tools_.paint.radius);
+    radius_->setToolTip(tr("Radius of the brush; Ctrl and the wheel change it as well"));
+    return inARow({new QLabel(tr("Spacing")), refinement, new QLabel(tr("Brush")), radius_});
+}
+
+QWidget* ToolOptions::makeDartPart() {
+    QDoubleSpinBox* width = lengthBox("dartWidth", 1, 300, tools_.dart.width);
+    width->setToolTip(tr("Width of the dart's mouth, along the edge"));
+    return inARow({new QLabel(tr("Width")), width});
+}
+
+void ToolOptions::show(const ToolBox::Entry& tool) {
+    name_->setText(tool.text);
+    hintText_ = tool.tool->hint();
+    hint_->setToolTip(hintText_);
+    paintPart_->setVisible(tool.uses == ToolBox::Uses::paintOptions);
+    dartPart_->setVisible(tool.uses == ToolBox::Uses::dartOptions);
     layout()->activate();
     elide();
     const QSignalBlocker quiet(radius_);
-    radius_->setValue(shown(Quantity::length, paint_.radius));
+    radius_->setValue(shown(Quantity::length, tools_.paint.radius));
 }
 
 void ToolOptions::elide() {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tools/PaintRegion.h"
+#include "ui/window/ToolBox.h"
 
 #include <QWidget>
 
-class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 
@@ -15,21 +14,22 @@ namespace toile::ui {
 class ToolOptions : public QWidget {
     Q_OBJECT
 public:
-    explicit ToolOptions(PaintOptions& paint, QWidget* parent = nullptr);
+    explicit ToolOptions(ToolBox& tools, QWidget* parent = nullptr);
 
-    void show(const QString& name, const QString& hint, bool paints);
+    void show(const ToolBox::Entry& tool);
 
 protected:
     void resizeEvent(QResizeEvent*) override { elide(); }
 
 private:
+    [[nodiscard]] QWidget* makePaintPart();
+    [[nodiscard]] QWidget* makeDartPart();
     void elide(); ///< as much of the hint as there is room for
 
-    PaintOptions& paint_;
+    ToolBox& tools_;
     QString hintText_;
     QLabel *name_, *hint_;
-    QWidget* paintPart_;
-    QComboBox* refinement_;
+    QWidget *paintPart_, *dartPart_;
     QDoubleSpinBox* radius_;
 };
 

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/PatternDarts.h"
+
+#include "core/pattern/PatternCheck.h"
+#include "core/pattern/PatternContours.h"
+#include "core/pattern/PatternMeasures.h"
+#include "core/pattern/PatternSeams.h"
+#include "tests/pattern/TwoPanels.h"
+
+#include <QtTest>
+
+using namespace toile;
+using namespace toile::pattern;
+
+class tst_PatternDarts : public QObject {
+    Q_OBJECT
+private slots:
+    void aWedgeIsCutAndSewnShut();
+    void aSeamAlongTheEdgePassesOverTheMouth();
+    void mirrorImagesAreSewnToo();
+    void aMouthOnACurveHasItsWidth();
+    void impossibleDartsAreRefused();
+};
+
+namespace {
+
+const PieceId front("front");
+constexpr double rounding = 1e-9;
+
+Pattern unsewn() {
+    Pattern pattern = tests::twoPanels();
+    pattern.seams.clear();
+    return pattern;
+}
+
+/// In the middle of the front's first edge, 20 mm wide, its tip 60 mm inside.
+Dart dartOf(const Pattern& pattern) {
+    const Piece& piece = *findPiece(pattern, front);
+    const geometry::Curve edge = curveOf(piece.outline, 0);
+    const Vec2 inward = normalized(geometry::leftOf(edge.end - edge.start));
+    return {piece.outline.edges[0].id, 0.5, 0.02, lerp(edge.start, edge.end, 0.5) + inward * 0.06};
+}
+
+} // namespace
+
+void tst_PatternDarts::aWedgeIsCutAndSewnShut() {
+    IdSource ids{500};
+    const Pattern before = unsewn();
+    const auto after = addDart(before, front, dartOf(before), "dart", ids);
+    QVERIFY(after);
+    QVERIFY(std::abs(areaOf(*findPiece(before, front)) - areaOf(*findPiece(*after, front)) -
+                     0.02 * 0.06 / 2) < rounding);
+    QVERIFY(!hasErrors(checkPattern(*after)));
+    const Seam& seam = after->seams[0];
+    const auto in = partPoints(*after, seam.sides[0].front(), 1e-4),
+               out = partPoints(*after, seam.sides[1].front(), 1e-4);
+    QVERIFY(distance(in.back(), out.back()) < rounding);                    // at the tip
+    QVERIFY(std::abs(distance(in.front(), out.front()) - 0.02) < rounding); // across the mouth
+    QVERIFY(std::abs(*partLength(*after, seam.sides[0].front()) -
+                     *partLength(*after, seam.sides[1].front())) < rounding);
+}
+
+void tst_PatternDarts::aSeamAlongTheEdgePassesOverTheMouth() {
+    IdSource ids{500};
+    Pattern before = unsewn();
+    const EdgeId other = findPiece(before, PieceId("back"))->outline.edges[0].id;
+    before = *addSeam(before, {front, dartOf(before).edge}, {PieceId("back"), other}, ids);
+    const auto length = [](const Pattern& pattern) {
+        double sum = 0;
+        for (const SeamPart& part : pattern.seams[0].sides[0]) sum += *partLength(pattern, part);
+        return sum;
+    };
+    const auto after = addDart(before, front, dartOf(before), "dart", ids);
+    QVERIFY(after);
+    QCOMPARE(after->seams[0].sides[0].size(), std::size_t(2));
+    QVERIFY(std::abs(length(before) - length(*after) - 0.02) < rounding);
+}
+
+void tst_PatternDarts::mirrorImagesAreSewnToo() {
+    IdSource ids{500};
+    const auto after = addDart(unsewn(), front, dartOf(unsewn()), "dart", ids);
+    QVERIFY(after);
+    QCOMPARE(after->seams.size(), std::size_t(2)); // the front has one image
+    QCOMPARE(after->seams[0].sides[0].front().piece, front);
+    QCOMPARE(after->seams[1].sides[0].front().piece, PieceId("image"));
+}
+
+void tst_PatternDarts::aMouthOnACurveHasItsWidth() {
+    IdSource ids{500};
+    Pattern before = unsewn();
+    const Dart dart = dartOf(before);
+    before = *setEdgeShape(before, front, dart.edge, geometry::ArcShape{0.1});
+    const double whole = edgeLength(*findPiece(before, front), dart.edge);
+    const auto after = addDart(before, front, dart, "dart", ids);
+    QVERIFY(after);
+    const Piece& piece = *findPiece(*after, front);
+    const LoopIndex legOut = *findEdge(piece, after->seams[0].sides[1].front().edge);
+    const EdgeId rest = piece.outline.edges[(legOut.index + 1) % piece.outline.edges.size()].id;
+    QVERIFY(std::abs(whole - edgeLength(piece, dart.edge) - edgeLength(piece, rest) - 0.02) < 1e-6);
+}
+
+void tst_PatternDarts::impossibleDartsAreRefused() {
+    IdSource ids{500};
+    const Pattern pattern = unsewn();
+    const auto isRefused = [&](const Pattern& p, auto change) {
+        Dart dart = dartOf(p);
+        change(dart);
+        return !addDart(p, front, dart, "dart", ids).has_value();
+    };
+    QVERIFY(isRefused(pattern, [](Dart& dart) { dart.width = 10; }));
+    QVERIFY(isRefused(pattern, [](Dart& dart) { dart.width = 0; }));
+    QVERIFY(isRefused(pattern, [](Dart& dart) { dart.middle = 0.01; }));
+    QVERIFY(isRefused(pattern, [](Dart& dart) { dart.tip = {100, 100}; }));
+    QVERIFY(isRefused(pattern, [](Dart& dart) { dart.edge = EdgeId("none"); }));
+    QVERIFY(isRefused(*addNotch(pattern, front, {dartOf(pattern).edge, 0.5}), [](Dart&) {}));
+    QVERIFY(!addDart(pattern, PieceId("none"), dartOf(pattern), "dart", ids));
+}
+
+QTEST_GUILESS_MAIN(tst_PatternDarts)
+#include "tst_PatternDarts.moc"
