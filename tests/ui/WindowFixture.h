@@ -94,7 +94,7 @@ struct Bench {
 
     // -- dialogs
     /// What is done with the next dialog when it has come up.
-    template <class Dialog = QDialog>
+    template <class Dialog>
     static void whenAsked(std::function<void(Dialog&)> answer) {
         QTimer::singleShot(0, [answer = std::move(answer)] {
             auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());

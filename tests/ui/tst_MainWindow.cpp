@@ -2,11 +2,15 @@
 #include "UiFixtures.h"
 #include "WindowFixture.h"
 
+#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QKeySequenceEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSet>
+#include <QSettings>
+#include <QTreeWidget>
 
 using namespace toile;
 using namespace toile::ui;
@@ -14,11 +18,17 @@ using namespace toile::ui;
 class tst_MainWindow : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { prepareApplication(); }
+    void initTestCase() {
+        prepareApplication();
+        QSettings().clear();
+    }
     void propertiesChangeTheDocument();
     void undoIsOneKeyPerStep();
     void unsavedChangesAskBeforeTheyAreLost();
     void noShortcutIsUsedTwiceOrClosesTheWindow();
+    void shortcutsAreTheUsers();
+    void deleteTakesOutWhatIsSelectedWhateverTheTool();
+    void theMouseInSpaceFollowsTheUsersHabits();
 };
 
 void tst_MainWindow::propertiesChangeTheDocument() {
@@ -74,6 +84,79 @@ void tst_MainWindow::noShortcutIsUsedTwiceOrClosesTheWindow() {
     QVERIFY(!used.contains(QStringLiteral("Ctrl+W")));
     const QStringList singleLetters = used.filter(QRegularExpression(QStringLiteral("^[A-Z]$")));
     QCOMPARE(QSet<QString>(singleLetters.begin(), singleLetters.end()), (QSet<QString>{"A", "Z", "N", "M", "B", "D"}));
+}
+
+void tst_MainWindow::shortcutsAreTheUsers() {
+    const auto choose = [](Bench& bench, const char* id, const std::function<void(QDialog&)>& answer) {
+        Bench::whenAsked<QDialog>([&](QDialog& dialog) {
+            auto* list = dialog.findChild<QTreeWidget*>(QStringLiteral("shortcutList"));
+            for (int i = 0; i < list->topLevelItemCount(); ++i)
+                if (list->topLevelItem(i)->data(0, Qt::UserRole).toString() == QLatin1String(id))
+                    list->setCurrentItem(list->topLevelItem(i));
+            answer(dialog);
+        });
+        bench.action("edit.shortcuts")->trigger();
+    };
+    const auto press = [](QDialog& dialog, Qt::Key key, QDialogButtonBox::StandardButton button) {
+        auto* keys = dialog.findChild<QKeySequenceEdit*>(QStringLiteral("shortcutKeys"));
+        keys->setKeySequence(QKeySequence(key));
+        Q_EMIT keys->editingFinished();
+        dialog.findChild<QDialogButtonBox*>()->button(button)->click();
+    };
+    {
+        Bench bench;
+        choose(bench, "tool.editSewing", [&](QDialog& dialog) { press(dialog, Qt::Key_N, QDialogButtonBox::Cancel); });
+        QCOMPARE(bench.action("tool.editSewing")->shortcut(), QKeySequence(Qt::Key_B));
+        choose(bench, "tool.editSewing", [&](QDialog& dialog) { press(dialog, Qt::Key_N, QDialogButtonBox::Ok); });
+        QCOMPARE(bench.action("tool.editSewing")->shortcut(), QKeySequence(Qt::Key_N));
+        QVERIFY(bench.action("tool.sewSegments")->shortcut().isEmpty()); // nobody shares keys
+        bench.key(Qt::Key_N);
+        QVERIFY(bench.action("tool.editSewing")->isChecked());
+    }
+    Bench bench; // the next window knows
+    QCOMPARE(bench.action("tool.editSewing")->shortcut(), QKeySequence(Qt::Key_N));
+    Bench::whenAsked<QDialog>([](QDialog& dialog) {
+        auto* buttons = dialog.findChild<QDialogButtonBox*>();
+        buttons->button(QDialogButtonBox::RestoreDefaults)->click();
+        buttons->button(QDialogButtonBox::Ok)->click();
+    });
+    bench.action("edit.shortcuts")->trigger();
+    QCOMPARE(bench.action("tool.editSewing")->shortcut(), QKeySequence(Qt::Key_B));
+    QCOMPARE(bench.action("tool.sewSegments")->shortcut(), QKeySequence(Qt::Key_N));
+    QVERIFY(QSettings().childGroups().filter(QStringLiteral("shortcuts")).isEmpty());
+}
+
+void tst_MainWindow::deleteTakesOutWhatIsSelectedWhateverTheTool() {
+    Bench bench;
+    bench.workbench.startFrom(twoRectangles(), {}, false);
+    for (const ToolBox tools; const ToolBox::Entry& entry : tools.entries()) {
+        bench.window.useTool(entry.id);
+        bench.workbench.select({bench.pattern().pieces[1]->id});
+        bench.toolKey(Qt::Key_Delete);
+        QVERIFY2(bench.pattern().pieces.size() == 1, qPrintable(entry.id));
+        bench.workbench.undo();
+    }
+}
+
+void tst_MainWindow::theMouseInSpaceFollowsTheUsersHabits() {
+    const auto orbits = [](Bench& bench, Qt::MouseButton button) {
+        View3D& view = bench.window.view3D();
+        const double before = view.camera().yaw;
+        QTest::mousePress(&view, button, {}, {100, 100});
+        QMouseEvent move(QEvent::MouseMove, QPointF(150, 100), view.mapToGlobal(QPointF(150, 100)), Qt::NoButton, button, Qt::NoModifier);
+        QApplication::sendEvent(&view, &move);
+        QTest::mouseRelease(&view, button, {}, {150, 100});
+        return view.camera().yaw != before;
+    };
+    {
+        Bench bench;
+        QVERIFY(orbits(bench, Qt::RightButton) && !orbits(bench, Qt::MiddleButton));
+        bench.action("habits.blender")->trigger();
+    }
+    Bench bench; // the next window knows
+    QVERIFY(!orbits(bench, Qt::RightButton) && orbits(bench, Qt::MiddleButton));
+    QVERIFY(bench.action("habits.blender")->isChecked());
+    bench.action("habits.clo")->trigger();
 }
 
 QTEST_MAIN(tst_MainWindow)

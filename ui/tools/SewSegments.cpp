@@ -85,8 +85,10 @@ Effect SewSegments::key(const Desk& desk, ToolKey key) {
     case ToolKey::escape:
         cancel();
         return {};
-    case ToolKey::backspace:
     case ToolKey::erase:
+        if (picks_[0].empty()) return deleteSelection(desk);
+        [[fallthrough]];
+    case ToolKey::backspace:
         takeBack();
         return {};
     }

@@ -7,18 +7,32 @@
 #include <QSettings>
 
 namespace toile::ui {
+namespace {
+
+const QString settingsGroup = QStringLiteral("shortcuts/");
+
+/// What a button says when the pointer rests on it.
+void showTip(QAction& action) {
+    const QKeySequence shortcut = action.shortcut();
+    const QString text = action.data().toString();
+    action.setToolTip(shortcut.isEmpty()
+                          ? text
+                          : QStringLiteral("%1 (%2)").arg(text, shortcut.toString(QKeySequence::NativeText)));
+}
+
+} // namespace
 
 void Actions::add(QWidget& window, const std::vector<ActionSpec>& table) {
-    QSettings settings;
-    settings.beginGroup(QStringLiteral("shortcuts"));
+    const QSettings settings;
     for (const ActionSpec& spec : table) {
         auto* action = new QAction(spec.text, &window);
         action->setObjectName(spec.id);
-        const QKeySequence shortcut(settings.value(spec.id, spec.shortcut.toString()).toString());
-        action->setShortcut(shortcut);
-        QString tip = spec.tip.isEmpty() ? QString(spec.text).remove(QLatin1Char('&')) : spec.tip;
-        if (!shortcut.isEmpty()) tip += QStringLiteral(" (%1)").arg(shortcut.toString(QKeySequence::NativeText));
-        action->setToolTip(tip);
+        defaults_.insert(spec.id, spec.shortcut);
+        action->setShortcut(
+            QKeySequence(settings.value(settingsGroup + spec.id, spec.shortcut.toString()).toString()));
+        action->setData(spec.tip.isEmpty() ? QString(spec.text).remove(QLatin1Char('&')) : spec.tip);
+        showTip(*action);
+        if (!spec.shortText.isEmpty()) action->setIconText(spec.shortText);
         if (!spec.icon.isEmpty()) action->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(spec.icon)));
         action->setCheckable(spec.checkable);
         if (spec.slot) QObject::connect(action, &QAction::triggered, &window, [slot = spec.slot] { slot(); });
@@ -26,6 +40,17 @@ void Actions::add(QWidget& window, const std::vector<ActionSpec>& table) {
         byId_.insert(spec.id, action);
         inOrder_.push_back(action);
     }
+}
+
+void Actions::setShortcut(const QString& id, const QKeySequence& shortcut) {
+    QAction& action = *(*this)[id];
+    action.setShortcut(shortcut);
+    showTip(action);
+    QSettings settings;
+    if (shortcut == defaultShortcut(id))
+        settings.remove(settingsGroup + id);
+    else
+        settings.setValue(settingsGroup + id, shortcut.toString());
 }
 
 QAction* Actions::operator[](const QString& id) const {

@@ -20,9 +20,10 @@ struct ActionSpec {
     bool checkable = false;
     std::function<void()> slot;
     QString tip = {};
+    QString shortText = {}; ///< on buttons that show text; empty = text
 };
 
-/// The actions of a window by their ids. A user's own shortcuts come from the settings, group "shortcuts".
+/// The actions of a window by their ids. A user's own shortcuts are kept in the settings, group "shortcuts".
 class Actions {
 public:
     /// Makes the actions as children of the window.
@@ -30,11 +31,16 @@ public:
 
     [[nodiscard]] QAction* operator[](const QString& id) const;
     [[nodiscard]] const std::vector<QAction*>& all() const { return inOrder_; }
+    [[nodiscard]] QKeySequence defaultShortcut(const QString& id) const { return defaults_.value(id); }
+    /// From now on, also in the next window; empty = none.
+    void setShortcut(const QString& id, const QKeySequence& shortcut);
+
     /// The actions of these ids; "-" is a separator.
     void fill(QWidget& menuOrBar, const QStringList& ids) const;
 
 private:
     QHash<QString, QAction*> byId_;
+    QHash<QString, QKeySequence> defaults_;
     std::vector<QAction*> inOrder_;
 };
 

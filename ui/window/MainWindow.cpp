@@ -10,11 +10,27 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QSettings>
 #include <QSplitter>
 #include <QToolBar>
 #include <QVBoxLayout>
 
 namespace toile::ui {
+namespace {
+
+/// A view with its bar above it.
+QWidget* below(QWidget* bar, QWidget* view) {
+    auto* side = new QWidget;
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    bar->setFixedHeight(34);
+    column->addWidget(bar);
+    column->addWidget(view, 1);
+    return side;
+}
+
+} // namespace
 
 MainWindow::MainWindow(Workbench& workbench, WindowParts parts, QWidget* parent)
     : QMainWindow(parent), workbench_(workbench), parts_(std::move(parts)) {
@@ -24,6 +40,7 @@ MainWindow::MainWindow(Workbench& workbench, WindowParts parts, QWidget* parent)
     makeActions();
     makeMenus();
     makeToolBars();
+    makeViewBar();
     connectWorkbench();
     useTool(QStringLiteral("tool.transform"));
     resize(1500, 920);
@@ -34,12 +51,9 @@ void MainWindow::makeViews() {
     view3D_->setObjectName(QStringLiteral("view3D"));
     pattern_ = new PatternView(workbench_);
     options_ = new ToolOptions(tools_);
-    auto* patternSide = new QWidget;
-    auto* column = new QVBoxLayout(patternSide);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(options_);
-    column->addWidget(pattern_, 1);
+    viewBar_ = new QToolBar;
+    QWidget* bodySide = below(viewBar_, view3D_);
+    QWidget* patternSide = below(options_, pattern_);
 
     auto* panels = new QSplitter(Qt::Vertical);
     panels->addWidget(new ObjectList(workbench_));
@@ -51,7 +65,7 @@ void MainWindow::makeViews() {
 
     auto* sides = new QSplitter(Qt::Horizontal);
     sides->setObjectName(QStringLiteral("sides"));
-    for (QWidget* part : std::initializer_list<QWidget*>{view3D_, patternSide, panels}) sides->addWidget(part);
+    for (QWidget* part : std::initializer_list<QWidget*>{bodySide, patternSide, panels}) sides->addWidget(part);
     sides->setStretchFactor(0, 5);
     sides->setStretchFactor(1, 7);
     sides->setStretchFactor(2, 0);
@@ -64,10 +78,15 @@ void MainWindow::makeViews() {
 }
 
 void MainWindow::makeActions() {
-    for (const auto& table : {fileActions(), editActions(), viewActions(), simulationActions(), toolActions()})
+    for (const auto& table : {fileActions(), editActions(), viewActions(), simulationActions(), habitActions(), toolActions()})
         actions_.add(*this, table);
     auto* tools = new QActionGroup(this);
     for (const ToolBox::Entry& entry : tools_.entries()) tools->addAction(actions_[entry.id]);
+    auto* habits = new QActionGroup(this);
+    for (const char* id : {"habits.clo", "habits.blender", "habits.maya"}) habits->addAction(actions_[QLatin1String(id)]);
+    const QString habit = QSettings().value(cameraHabitsKey).toString();
+    for (QAction* action : habits->actions())
+        if (action->objectName() == habit || (habit.isEmpty() && action == habits->actions().front())) action->trigger();
     const PatternLook look = pattern_->look();
     const picture::RenderOptions render = view3D_->scene().options;
     for (const auto& [id, on] : std::initializer_list<std::pair<const char*, bool>>{
@@ -94,10 +113,12 @@ void MainWindow::makeMenus() {
     actions_.fill(*file, {"-", "file.save", "file.saveAs", "file.exportDrape", "-", "file.quit"});
     QMenu* edit = menu(tr("&Edit"), {"edit.undo", "edit.redo", "-", "edit.delete", "edit.layOut"});
     actions_.fill(*edit->addMenu(tr("&Place selected pieces")), {"place.front", "place.back", "place.left", "place.right"});
+    actions_.fill(*edit, {"-", "edit.shortcuts"});
     menu(tr("&Tools"), tools);
-    menu(tr("&View"), {"view.fitAll", "view.fitSelection", "view.zoomIn", "view.zoomOut", "-", "view.front", "view.back",
+    QMenu* view = menu(tr("&View"), {"view.fitAll", "view.fitSelection", "view.zoomIn", "view.zoomOut", "-", "view.front", "view.back",
                        "view.left", "view.right", "view.top", "-", "look.mesh", "look.regions", "look.seams", "look.names",
-                       "look.grid", "-", "look3d.body", "look3d.meshLines", "look3d.seams", "look3d.regions"});
+                       "look.grid", "-", "look3d.body", "look3d.meshLines", "look3d.seams", "look3d.regions", "-"});
+    actions_.fill(*view->addMenu(tr("Mouse in the &3D view")), {"habits.clo", "habits.blender", "habits.maya"});
     menu(tr("&Avatar"), {"avatar.mannequin", "avatar.import", "avatar.remove"});
     menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset"});
     menu(tr("&Help"), {"help.about"});
@@ -112,6 +133,13 @@ void MainWindow::makeToolBars() {
                          "simulation.step", "simulation.reset", "-", "tool.transform", "tool.editPoints", "tool.drawPiece",
                          "tool.internalLine", "tool.notch", "tool.dart", "tool.hole", "-", "tool.paintPolygon", "tool.paintBrush", "-", "tool.sewSegments",
                          "tool.sewFree", "tool.editSewing", "-", "look.mesh", "view.fitAll"});
+}
+
+void MainWindow::makeViewBar() {
+    viewBar_->setObjectName(QStringLiteral("viewBar"));
+    viewBar_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    actions_.fill(*viewBar_, {"view.front", "view.left", "view.back", "view.right", "view.top", "-", "look3d.body", "look3d.meshLines",
+                              "look3d.seams", "look3d.regions"});
 }
 
 void MainWindow::connectWorkbench() {

@@ -12,6 +12,8 @@
 
 #include <QMainWindow>
 
+class QToolBar;
+
 namespace toile::ui {
 
 /// What the window gets from outside beside the workbench.
@@ -20,6 +22,9 @@ struct WindowParts {
     QStringList sampleFolders;
     QString aboutText; ///< facts of the build
 };
+
+/// Of the settings: the id of the chosen action.
+inline const QString cameraHabitsKey = QStringLiteral("cameraHabits");
 
 /// Puts the parts together; decides nothing. 3D view left, pattern right, objects and properties far right.
 class MainWindow : public QMainWindow {
@@ -40,6 +45,7 @@ private:
     void makeActions();
     void makeMenus();
     void makeToolBars();
+    void makeViewBar(); ///< above the 3D view
     void makeViews();
     void connectWorkbench();
     void showTitle();
@@ -52,6 +58,7 @@ private:
     [[nodiscard]] std::vector<ActionSpec> editActions();
     [[nodiscard]] std::vector<ActionSpec> viewActions();
     [[nodiscard]] std::vector<ActionSpec> simulationActions();
+    [[nodiscard]] std::vector<ActionSpec> habitActions();
     [[nodiscard]] std::vector<ActionSpec> toolActions();
 
     Workbench& workbench_;
@@ -61,6 +68,7 @@ private:
     Actions actions_;
     FileCommands* files_ = nullptr;
     View3D* view3D_ = nullptr;
+    QToolBar* viewBar_ = nullptr;
     PatternView* pattern_ = nullptr;
     ToolOptions* options_ = nullptr;
     StatusLine* status_ = nullptr;

@@ -42,12 +42,17 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     gap_ = field(*this, "statusGap", 116, tr("Largest distance between points that are sewn together"));
     gap_->setContentsMargins(0, 0, 10, 0);
     showFrame(nullptr, false);
+    fade_.setSingleShot(true);
+    fade_.setInterval(std::chrono::seconds(12));
+    connect(&fade_, &QTimer::timeout, this, [this] { tell({}, false); });
 }
 
 void StatusLine::tell(const QString& message, bool isProblem) {
     message_->setText(message);
     message_->setToolTip(message);
     message_->setStyleSheet(isProblem ? QStringLiteral("color: #b02a2a;") : QString());
+    if (isProblem || message.isEmpty()) fade_.stop();
+    else fade_.start();
 }
 
 void StatusLine::showPointer(Vec2 position) {

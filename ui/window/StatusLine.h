@@ -4,6 +4,7 @@
 #include "core/simulation/Frame.h"
 
 #include <QStatusBar>
+#include <QTimer>
 
 class QLabel;
 
@@ -21,11 +22,13 @@ class StatusLine : public QStatusBar {
 public:
     explicit StatusLine(QWidget* parent = nullptr);
 
+    /// Problems stay until the next message, others go after a while.
     void tell(const QString& message, bool isProblem);
     void showPointer(Vec2 position);
     void showFrame(const simulation::Frame* frame, bool playing);
 
 private:
+    QTimer fade_;
     QLabel *message_, *pointer_, *state_, *time_, *rate_, *particles_, *gap_;
 };
 

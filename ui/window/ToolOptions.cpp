@@ -53,7 +53,6 @@ ToolOptions::ToolOptions(ToolBox& tools, QWidget* parent) : QWidget(parent), too
     layout->addWidget(hint_, 1);
     layout->addWidget(paintPart_);
     layout->addWidget(dartPart_);
-    setMinimumHeight(34);
 }
 
 QWidget* ToolOptions::makePaintPart() {

@@ -3,9 +3,11 @@
 
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternPieces.h"
+#include "ui/window/ShortcutDialog.h"
 #include "ui/workbench/Arrange.h"
 
 #include <QApplication>
+#include <QSettings>
 
 namespace toile::ui {
 
@@ -37,6 +39,7 @@ std::vector<ActionSpec> MainWindow::editActions() {
         {"place.right", tr("At its &right"), {}, {}, false, place(BodySide::right)},
         {"edit.undo", tr("&Undo"), QKeySequence(tr("Ctrl+Z")), "undo", false, [this] { workbench_.undo(); }},
         {"edit.redo", tr("&Redo"), QKeySequence(tr("Ctrl+Shift+Z")), "redo", false, [this] { workbench_.redo(); }},
+        {"edit.shortcuts", tr("&Keyboard shortcuts…"), {}, {}, false, [this] { ShortcutDialog(actions_, this).exec(); }},
         {"edit.delete", tr("&Delete"), {}, {}, false, [this] { workbench_.take(tools_.entry(tool_).tool->key(workbench_.desk(), ToolKey::erase)); }},
         {"edit.layOut", tr("&Lay out pieces"), {}, {}, false, [this] {
              workbench_.take(effectOf(tr("Lay out pieces"), document::edited(workbench_.document(), [](const pattern::Pattern& p, pattern::IdSource&) {
@@ -69,8 +72,8 @@ std::vector<ActionSpec> MainWindow::viewActions() {
         {"view.zoomOut", tr("Zoom &out"), QKeySequence::ZoomOut, {}, false, [this] { pattern_->zoomBy(0.8); }},
         {"view.front", tr("&Front"), QKeySequence(tr("Ctrl+1")), {}, false, [this] { view3D_->viewFront(); }},
         {"view.back", tr("&Back"), QKeySequence(tr("Ctrl+2")), {}, false, [this] { view3D_->viewBack(); }},
-        {"view.left", tr("&Left side"), QKeySequence(tr("Ctrl+3")), {}, false, [this] { view3D_->viewLeft(); }},
-        {"view.right", tr("&Right side"), QKeySequence(tr("Ctrl+4")), {}, false, [this] { view3D_->viewRight(); }},
+        {"view.left", tr("&Left side"), QKeySequence(tr("Ctrl+3")), {}, false, [this] { view3D_->viewLeft(); }, {}, tr("Left")},
+        {"view.right", tr("&Right side"), QKeySequence(tr("Ctrl+4")), {}, false, [this] { view3D_->viewRight(); }, {}, tr("Right")},
         {"view.top", tr("&Top"), QKeySequence(tr("Ctrl+5")), {}, false, [this] { view3D_->viewTop(); }},
         {"look.mesh", tr("&Mesh on the pattern"), QKeySequence(tr("Ctrl+M")), "mesh", true, look(&PatternLook::mesh)},
         {"look.regions", tr("&Regions on the pattern"), {}, {}, true, look(&PatternLook::regions)},
@@ -78,9 +81,9 @@ std::vector<ActionSpec> MainWindow::viewActions() {
         {"look.names", tr("&Names on the pattern"), {}, {}, true, look(&PatternLook::names)},
         {"look.grid", tr("&Grid and rulers"), {}, {}, true, look(&PatternLook::grid)},
         {"look3d.body", tr("&Avatar"), {}, {}, true, render(&picture::RenderOptions::body)},
-        {"look3d.meshLines", tr("Mesh on the &cloth"), QKeySequence(tr("Ctrl+Shift+M")), {}, true, render(&picture::RenderOptions::meshLines)},
-        {"look3d.seams", tr("Seams on the cl&oth"), {}, {}, true, render(&picture::RenderOptions::seams)},
-        {"look3d.regions", tr("Regions on the clot&h"), {}, {}, true, render(&picture::RenderOptions::regions)},
+        {"look3d.meshLines", tr("Mesh on the &cloth"), QKeySequence(tr("Ctrl+Shift+M")), {}, true, render(&picture::RenderOptions::meshLines), {}, tr("Mesh")},
+        {"look3d.seams", tr("Seams on the cl&oth"), {}, {}, true, render(&picture::RenderOptions::seams), {}, tr("Seams")},
+        {"look3d.regions", tr("Regions on the clot&h"), {}, {}, true, render(&picture::RenderOptions::regions), {}, tr("Regions")},
     };
 }
 
@@ -92,6 +95,19 @@ std::vector<ActionSpec> MainWindow::simulationActions() {
         {"simulation.reset", tr("&Reset"), QKeySequence(tr("Ctrl+R")), "reset", false, [this] { workbench_.reset(); },
          tr("Back to where the pieces were placed")},
     };
+}
+
+std::vector<ActionSpec> MainWindow::habitActions() {
+    std::vector<ActionSpec> table;
+    for (const auto& [id, text, habits] :
+         {std::tuple("habits.clo", tr("As in &CLO: right drag orbits, middle drag pans"), CameraHabits::clo),
+          std::tuple("habits.blender", tr("As in &Blender: middle drag orbits, with Shift pans"), CameraHabits::blender),
+          std::tuple("habits.maya", tr("As in &Maya: Alt with left, middle, right drag"), CameraHabits::maya)})
+        table.push_back({QLatin1String(id), text, {}, {}, true, [this, id = QLatin1String(id), habits = habits] {
+                             view3D_->setCameraHabits(habits);
+                             QSettings().setValue(cameraHabitsKey, id);
+                         }});
+    return table;
 }
 
 std::vector<ActionSpec> MainWindow::toolActions() {
