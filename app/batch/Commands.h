@@ -44,7 +44,7 @@ struct SewOptions {
     bool quiet = false;
 };
 [[nodiscard]] int sew(const SewOptions& options, std::stop_token stop);
-/// The methods that the command line names; those that are not offered yet are refused with a sentence.
+/// "static", and the names of dynamics::allMethods().
 [[nodiscard]] const std::vector<std::string>& sewMethods();
 
 struct AvatarOptions {

@@ -5,6 +5,7 @@
 #include "app/batch/Outputs.h"
 #include "app/batch/Pictures.h"
 #include "core/base/AtomicFile.h"
+#include "core/dynamics/Method.h"
 #include "core/io/DocumentFile.h"
 #include "core/io/DrapeExport.h"
 #include "core/io/FrameFiles.h"
@@ -17,11 +18,12 @@
 namespace toile::batch {
 namespace {
 
+constexpr std::string_view staticMethod = "static"; ///< no motion after sewing, only the equilibrium
+
 /// What can be said before any work is done.
 Result<void> checked(const SewOptions& options) {
-    if (options.method != sewMethods().front())
-        return fail(ErrorCode::unsupported, fmt::format("The method \"{}\" is not offered yet: use {}.", options.method,
-                                                        sewMethods().front()));
+    if (options.method == staticMethod && options.seconds)
+        return fail(ErrorCode::invalidInput, "The method \"static\" knows no time: leave out --seconds.");
     if (auto out = checkedOutput(options.out, {".glb", ".obj", ".ply", ".stl"}); !out) return out;
     for (const std::string& picture : options.pictures)
         if (auto out = checkedOutput(picture, {".png"}); !out) return out;
@@ -73,12 +75,21 @@ Json reportJson(const SewOptions& options, const OpenedScene& opened, const simu
     return json;
 }
 
-void printSummary(const simulation::SewReport& report) {
+/// "sewing by xpbd, draping by trbdf2"
+std::string methodsOf(const simulation::SewReport& report) {
+    std::string text;
+    for (const simulation::PhaseRun& phase : report.phases)
+        text += fmt::format("{}{} by {}", text.empty() ? "" : ", ", nameOf(phase.phase), phase.method);
+    return text;
+}
+
+void printSummary(const simulation::SewReport& report, const SewOptions& options) {
     std::size_t closed = 0;
     for (const simulation::SeamResult& seam : report.seams) closed += seam.state.merged;
     fmt::print("{} particles, {} of {} seams closed, {:.2f} s simulated in {:.1f} s; {}{}\n", report.particles, closed,
                report.seams.size(), report.simulatedSeconds, report.wallSeconds, report.ending,
                report.residual ? fmt::format(", residual {:.1e}", *report.residual) : "");
+    if (options.method != dynamics::nameOf(dynamics::Method::xpbd)) fmt::print("{}\n", methodsOf(report));
     if (report.contact.bodyClearanceMinimum)
         fmt::print("{:.1f} mm from the body at the nearest, {} intersections with the body, {} with itself\n",
                    1000 * *report.contact.bodyClearanceMinimum, report.contact.bodyIntersections,
@@ -123,8 +134,11 @@ Result<simulation::SewReport> sewn(const SewOptions& options, const simulation::
 } // namespace
 
 const std::vector<std::string>& sewMethods() {
-    static const std::vector<std::string> names{"xpbd",     "trbdf2", "static", "backward-euler",   "bdf2",
-                                                "midpoint", "sdirk4", "rk4",    "symplectic-euler", "baraff-witkin"};
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all{std::string(staticMethod)};
+        for (const dynamics::Method method : dynamics::allMethods()) all.emplace_back(dynamics::nameOf(method));
+        return all;
+    }();
     return names;
 }
 
@@ -141,13 +155,15 @@ int sew(const SewOptions& options, std::stop_token stop) {
     applyOptions(*opened, options);
     auto simulation = simulation::Simulation::create(opened->scene, {.spacing = options.spacing});
     if (!simulation) return refuse(simulation.error());
+    if (options.method != dynamics::nameOf(dynamics::Method::xpbd))
+        simulation->drapeWith(dynamics::methodNamed(options.method)); // absent for "static"
     if (const auto start = judgeStart(*opened, *simulation, options); !start) return refuse(start.error());
 
     simulation::SewSettings settings{.seconds = options.seconds, .limit = options.limit, .hold = options.hold};
     auto report = sewn(options, settings, *simulation, stop);
     if (!report) return refuse(report.error());
     report->warnings.insert(report->warnings.begin(), opened->warnings.begin(), opened->warnings.end());
-    printSummary(*report);
+    printSummary(*report, options);
     if (const auto written = writeResults(options, *opened, *simulation, *report); !written) return refuse(written.error());
     return report->reachedItsGoal(settings) ? done : goalMissed;
 }

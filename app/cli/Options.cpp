@@ -69,7 +69,7 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     command->add_option("--hold", options->hold, "a garment without a neck goes on for so long after rest, to see whether it slides [s]")
         ->check(CLI::Range(0.0, 3600.0))
         ->capture_default_str();
-    command->add_option("--method", options->method, "how time is integrated; this version offers xpbd")
+    command->add_option("--method", options->method, "how time is integrated once the seams are closed; sewing itself is by xpbd")
         ->check(CLI::IsMember(batch::sewMethods()));
     const auto isAuto = [](const std::string& text) { return std::string(text == "auto" ? "" : "only auto is known"); };
     command->add_option_function<std::string>(

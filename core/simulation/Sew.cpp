@@ -38,7 +38,7 @@ struct Watch {
 
 Result<void> step(Simulation& simulation, const Watch& watch, double share) {
     if (watch.stop.stop_requested()) return fail(ErrorCode::cancelled, "The run was stopped.");
-    if (const auto advanced = simulation.advance(); !advanced) return advanced;
+    if (const auto advanced = simulation.advance(watch.stop); !advanced) return advanced;
     report(watch.progress, share, describe(simulation));
     if (watch.observer) watch.observer(simulation);
     return {};
@@ -57,7 +57,7 @@ Result<std::string> run(Simulation& simulation, const SewSettings& settings, con
     while (true) {
         const double elapsed = simulation.state().time - start;
         if (elapsed >= length - 1e-9) return settings.seconds ? "time is up" : "limit reached";
-        if (!settings.seconds && simulation.restingTime() >= restBeforeFinish) return "at rest";
+        if (!settings.seconds && (simulation.restingTime() >= restBeforeFinish || simulation.awaitsStatics())) return "at rest";
         if (const auto stepped = step(simulation, watch, 0.9 * elapsed / length); !stepped) return tl::unexpected(stepped.error());
     }
 }
@@ -89,7 +89,7 @@ bool hangsOnItsWaistband(const Simulation& simulation) {
 
 /// Goes on after rest; what still rests then has stayed where it is.
 Result<void> hold(SewReport& result, Simulation& simulation, const SewSettings& settings, const Watch& watch) {
-    if (result.ending != "at rest" || settings.hold <= 0 || !hangsOnItsWaistband(simulation)) return {};
+    if (result.ending != "at rest" || settings.hold <= 0 || simulation.awaitsStatics() || !hangsOnItsWaistband(simulation)) return {};
     const double start = simulation.state().time;
     if (const auto advanced = goOnFor(settings.hold, simulation, watch); !advanced) return advanced;
     result.heldSeconds = simulation.state().time - start;
@@ -115,6 +115,14 @@ void warnOfOpenSeams(SewReport& result) {
                                        fmt::format("The seam is not closed; its gap is {:.1f} mm.", 1000 * seam.gap.maximum)});
 }
 
+void warnOfUnsolvedSteps(SewReport& result) {
+    for (const PhaseRun& phase : result.phases)
+        if (phase.unsolvedSteps > 0)
+            result.warnings.push_back({nameOf(phase.phase), fmt::format("{} frame steps by {} have parts that did not reach their tolerance "
+                                                                         "and were taken as they were.",
+                                                                         phase.unsolvedSteps, phase.method)});
+}
+
 /// What only a look at the whole result can tell.
 void judgeWorn(SewReport& result, const Simulation& simulation, const SewSettings& settings) {
     const Scene& scene = simulation.scene();
@@ -129,6 +137,10 @@ void judgeWorn(SewReport& result, const Simulation& simulation, const SewSetting
 }
 
 } // namespace
+
+std::string nameOf(Phase phase) {
+    return phase == Phase::sewing ? "sewing" : phase == Phase::shaking ? "shaking" : "draping";
+}
 
 bool SewReport::allClosed() const {
     return std::ranges::all_of(seams, [](const SeamResult& seam) { return seam.state.merged; });
@@ -155,6 +167,8 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     for (std::size_t seam = 0; seam < simulation.seams().size(); ++seam)
         result.seams.push_back({simulation.seams()[seam], simulation.seams()[seam].merged ? SeamGap{} : simulation.gapOf(seam)});
     warnOfOpenSeams(result);
+    result.phases = simulation.phases();
+    warnOfUnsolvedSteps(result);
     for (const Warning& warning : simulation.garment().mesh->report.warnings) result.warnings.push_back(warning);
     result.contact = contactOf(simulation);
     judgeWorn(result, simulation, settings);

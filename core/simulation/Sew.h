@@ -54,6 +54,7 @@ struct SewReport {
     double kineticEnergy = 0, gravityEnergy = 0, elasticEnergy = 0; ///< [J]
     std::size_t peakBytes = 0; ///< most memory the process has held
     std::string resultHash;
+    std::vector<PhaseRun> phases; ///< what each ran with
     std::vector<StageShare> stages;
     std::vector<LeftOut> leftOut;
     std::vector<Warning> warnings;
@@ -63,6 +64,8 @@ struct SewReport {
     /// Closed, at rest and outside the body.
     [[nodiscard]] bool reachedItsGoal(const SewSettings& settings) const;
 };
+
+[[nodiscard]] std::string nameOf(Phase phase);
 
 /// Called after every frame step.
 using FrameObserver = std::function<void(const Simulation&)>;

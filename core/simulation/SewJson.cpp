@@ -87,6 +87,13 @@ Json toJson(const SewReport& report) {
     energy.set("kinetic", report.kineticEnergy).set("gravity", report.gravityEnergy).set("elastic", report.elasticEnergy);
     json.set("energy", energy);
     json.set("peakBytes", report.peakBytes).set("resultHash", report.resultHash);
+    json.set("phases", listOf(report.phases, [](const PhaseRun& phase) {
+                 Json item;
+                 item.set("name", nameOf(phase.phase)).set("method", std::string(phase.method)).set("simulatedSeconds", phase.seconds);
+                 item.set("parts", phase.steps.parts).set("newtonIterations", phase.steps.newtonIterations);
+                 item.set("repeatedParts", phase.steps.repeated).set("unsolvedSteps", phase.unsolvedSteps);
+                 return item;
+             }));
     json.set("stages", listOf(report.stages, [&](const StageShare& stage) {
                  Json item;
                  item.set("name", stage.name).set("seconds", stage.seconds);

@@ -17,6 +17,8 @@ namespace {
 constexpr double restingSpeed = 0.005; // [m/s]
 constexpr MergeRule mergeRule;
 constexpr DressingSettings dressing;
+/// Of the methods that adapt their step: RMS error of a part [m].
+constexpr double positionTolerance = 1e-4;
 /// A seam that is still open this long after its ramp ended is given up, so that the next order may begin [s].
 constexpr double patience = 2.0;
 
@@ -158,6 +160,31 @@ void Simulation::rebuildPlan() {
                                              : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
                                             length(scene_.settings.gravity));
     if (phase_ == Phase::sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
+    integrator_.reset();
+    if (phase_ != Phase::sewing && drapingMethod_ && *drapingMethod_ != dynamics::Method::xpbd)
+        integrator_ = dynamics::makeIntegrator(*drapingMethod_, garment_->model,
+                                               {.damping = damping, .positionTolerance = positionTolerance});
+}
+
+void Simulation::drapeWith(std::optional<dynamics::Method> method) {
+    drapingMethod_ = method;
+    rebuildPlan();
+}
+
+Result<dynamics::StepReport> Simulation::moveCloth(double duration, std::stop_token stop) {
+    if (integrator_) return integrator_->step(state_, duration, gravity(), plan_.stages(), stop);
+    if (auto done = xpbd_->step(state_, duration, substeps_, gravity(), plan_.stages()); !done)
+        return tl::unexpected(done.error());
+    return dynamics::StepReport{.parts = substeps_};
+}
+
+void Simulation::note(double duration, const dynamics::StepReport& step) {
+    const std::string_view method = integrator_ ? integrator_->name() : dynamics::nameOf(dynamics::Method::xpbd);
+    if (phases_.empty() || phases_.back().phase != phase_ || phases_.back().method != method)
+        phases_.push_back({.phase = phase_, .method = method});
+    phases_.back().seconds += duration;
+    phases_.back().steps += step;
+    phases_.back().unsolvedSteps += !step.accurate;
 }
 
 std::vector<std::size_t> Simulation::closingSeams() const {
@@ -174,7 +201,7 @@ bool Simulation::givenUp(std::size_t seam) const {
 Phase Simulation::duePhase() const {
     for (std::size_t seam = 0; seam < seams_.size(); ++seam)
         if (!seams_[seam].merged && !givenUp(seam)) return Phase::sewing;
-    if (phase_ == Phase::sewing) return Phase::shaking;
+    if (phase_ == Phase::sewing) return drapingMethod_ ? Phase::shaking : Phase::draping;
     return state_.time > sewnTime_ + dressing.shakingTime ? Phase::draping : phase_;
 }
 
@@ -229,14 +256,16 @@ void Simulation::goOnDressing() {
     rebuildPlan();
 }
 
-Result<void> Simulation::advance() {
+Result<void> Simulation::advance(std::stop_token stop) {
     const auto start = std::chrono::steady_clock::now();
     const double duration = scene_.settings.frameStep;
     const dynamics::ParticleState before = state_;
-    if (const auto stepped = xpbd_->step(state_, duration, substeps_, gravity(), plan_.stages()); !stepped) {
+    const auto stepped = moveCloth(duration, stop);
+    if (!stepped) {
         state_ = before;
-        return stepped;
+        return tl::unexpected(stepped.error());
     }
+    note(duration, *stepped);
     ++steps_;
     largestSpeed_ = 0;
     for (std::size_t i = 0; i < state_.positions.size(); ++i)
@@ -256,7 +285,8 @@ std::vector<StepPlan::StageCost> Simulation::stageCosts() const {
         if (const auto* stage = plan_.find(cost.name)) cost.bytes = stage->bytes();
     double inStages = 0;
     for (const StepPlan::StageCost& cost : costs) inStages += cost.seconds;
-    costs.push_back({"cloth", std::max(0.0, allSeconds_ - inStages), xpbd_->bytes()});
+    costs.push_back({"cloth", std::max(0.0, allSeconds_ - inStages),
+                     xpbd_->bytes() + (integrator_ ? integrator_->bytes() : 0)});
     return costs;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/collision/BodySurface.h"
+#include "core/dynamics/Method.h"
 #include "core/dynamics/Statics.h"
 #include "core/dynamics/Xpbd.h"
 #include "core/simulation/Frame.h"
@@ -34,6 +35,15 @@ struct SeamGap {
 /// (docs/decisions/0003-dressing.md).
 enum class Phase { sewing, shaking, draping };
 
+/// What a phase ran with.
+struct PhaseRun {
+    Phase phase = Phase::sewing;
+    std::string_view method;          ///< as dynamics::nameOf
+    double seconds = 0;               ///< simulated
+    dynamics::StepReport steps{.parts = 0}; ///< of all frame steps
+    int unsolvedSteps = 0;            ///< frame steps with a part that missed its tolerance
+};
+
 struct DressingSettings {
     double sewingDamping = 10;  ///< mass-proportional, while seams close [1/s]
     double shakingDamping = 3;  ///< mass-proportional, after that [1/s]
@@ -57,8 +67,12 @@ public:
     /// pieces that are new start where they are placed. Time goes on.
     [[nodiscard]] static Result<Simulation> continued(Scene scene, const Simulation& before);
 
+    /// Integrates by this method while no seam is being closed; sewing itself is position-based, which alone draws
+    /// seams together. Absent: there is no motion after sewing, the garment is left to settle().
+    void drapeWith(std::optional<dynamics::Method> method);
+
     /// One frame step of the scene. Error when a number is no longer finite: the state before is kept.
-    [[nodiscard]] Result<void> advance();
+    [[nodiscard]] Result<void> advance(std::stop_token stop = {});
 
     /// Goes on to the equilibrium with contact and friction by Newton's method.
     [[nodiscard]] Result<dynamics::StaticReport> settle(const dynamics::StaticSettings& settings, std::stop_token stop = {},
@@ -74,6 +88,9 @@ public:
     [[nodiscard]] const collision::BodySurface* body() const { return body_.get(); }
     [[nodiscard]] const std::vector<SeamState>& seams() const { return seams_; }
     [[nodiscard]] Phase phase() const { return phase_; }
+    [[nodiscard]] const std::vector<PhaseRun>& phases() const { return phases_; } ///< so far, in order
+    /// Nothing moves any more but settle().
+    [[nodiscard]] bool awaitsStatics() const { return !drapingMethod_ && phase_ == Phase::draping; }
     [[nodiscard]] int substeps() const { return substeps_; }
     [[nodiscard]] int steps() const { return steps_; }
 
@@ -93,6 +110,8 @@ private:
     Simulation(Scene scene, Garment garment, std::shared_ptr<const collision::BodySurface> body);
 
     void rebuildPlan();
+    [[nodiscard]] Result<dynamics::StepReport> moveCloth(double duration, std::stop_token stop);
+    void note(double duration, const dynamics::StepReport& step);
     [[nodiscard]] Phase duePhase() const;
     [[nodiscard]] Vec3 gravity() const { return phase_ == Phase::sewing ? Vec3{} : scene_.settings.gravity; }
     [[nodiscard]] bool givenUp(std::size_t seam) const;
@@ -109,6 +128,9 @@ private:
     dynamics::ParticleState state_;
     StepPlan plan_;
     std::unique_ptr<dynamics::Xpbd> xpbd_;
+    std::optional<dynamics::Method> drapingMethod_ = dynamics::Method::xpbd;
+    std::unique_ptr<dynamics::Integrator> integrator_; ///< while another method than XPBD is at work
+    std::vector<PhaseRun> phases_;
     std::vector<SeamState> seams_;
     std::vector<std::vector<double>> seamGaps_; ///< of each pair when its seam began to close [m]
     std::vector<double> seamStart_;             ///< when it began [s]; negative = not yet

@@ -42,7 +42,9 @@ private slots:
     void aSeamHeldOpenIsAGoalMissed();
     void aLimitThatIsTooShortIsAGoalMissed();
     void aStartInTheBodyIsWarnedOfRefusedOrArranged();
-    void methodsToComeAreRefusedWithASentence();
+    void everyMethodDrapesWhatXpbdHasSewn_data();
+    void everyMethodDrapesWhatXpbdHasSewn();
+    void staticsKnowsNoTime();
     void moreThreadsAreAnsweredHonestly();
     void aMissingFolderIsSaidAndNothingIsWritten();
     void aBrokenDocumentIsRefused();
@@ -202,12 +204,34 @@ void tst_SewCommand::aStartInTheBodyIsWarnedOfRefusedOrArranged() {
     QVERIFY(!arranged.err.contains("inside the body"));
 }
 
-void tst_SewCommand::methodsToComeAreRefusedWithASentence() {
-    QCOMPARE(run({"sew", sample("two-squares.toile"), "--method", "xpbd", "--seconds", "3"}).status, 0);
-    const Finished finished = run({"sew", sample("two-squares.toile"), "--method", "trbdf2"});
+void tst_SewCommand::everyMethodDrapesWhatXpbdHasSewn_data() {
+    QTest::addColumn<QString>("method");
+    for (const char* method : {"xpbd", "trbdf2", "static", "backward-euler", "bdf2", "midpoint", "sdirk4", "rk4",
+                               "symplectic-euler", "baraff-witkin"})
+        QTest::newRow(method) << method;
+}
+
+void tst_SewCommand::everyMethodDrapesWhatXpbdHasSewn() {
+    QFETCH(QString, method);
+    QStringList arguments{"sew", sample("two-squares.toile"), "--spacing", "50", "--method", method, "--quiet", "--report", in("sew.json")};
+    if (method != "static") arguments << "--seconds" << "0.8";
+    const Finished finished = run(arguments);
+    QVERIFY2(finished.status == 0 || finished.status == 3, qPrintable(finished.err));
+    const Json json = report();
+    QCOMPARE(QString::fromStdString(*json.find("method")->asString()), method);
+    const auto& phases = *json.find("phases")->asArray();
+    QCOMPARE(*phases.front().find("name")->asString(), std::string("sewing"));
+    QCOMPARE(*phases.front().find("method")->asString(), std::string("xpbd"));
+    if (method == "static") return; // whatever it needs to settle
+    QVERIFY(phases.size() >= 2);
+    QCOMPARE(QString::fromStdString(*phases.back().find("method")->asString()), method);
+    QVERIFY(*phases.back().find("parts")->asNumber() >= 1);
+}
+
+void tst_SewCommand::staticsKnowsNoTime() {
+    const Finished finished = run({"sew", sample("two-squares.toile"), "--method", "static", "--seconds", "1"});
     QCOMPARE(finished.status, 1);
-    QCOMPARE(finished.errorLines().size(), 1);
-    QVERIFY(finished.err.contains("\"trbdf2\" is not offered yet"));
+    QVERIFY(finished.err.contains("--seconds"));
 }
 
 void tst_SewCommand::moreThreadsAreAnsweredHonestly() {
