@@ -2,6 +2,7 @@
 #include "app/batch/BuildFacts.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/Theme.h"
+#include "ui/window/Translation.h"
 #include "ui/workbench/RealParts.h"
 
 #include <QApplication>
@@ -59,13 +60,15 @@ QStringList sampleFolders() {
     return {QStringLiteral(TOILE_SAMPLES)};
 }
 
+/// Our own texts and Qt's, in the language of the user's system where we have it.
 void loadTranslations(QApplication& application) {
-    for (const auto& [name, folder] : {std::pair{QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath)},
-                                       std::pair{QStringLiteral("toile"), QStringLiteral(":/translations")}}) {
-        auto* translator = new QTranslator(&application);
-        if (translator->load(QLocale(), name, QStringLiteral("_"), folder)) application.installTranslator(translator);
-        else delete translator;
+    if (auto ours = ui::Translation::of(QLocale())) {
+        ours->setParent(&application);
+        QApplication::installTranslator(ours.release());
     }
+    auto* qts = new QTranslator(&application);
+    if (qts->load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"), QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QApplication::installTranslator(qts);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/base/Contracts.h"
 
 #include <QIcon>
+#include <QRegularExpression>
 #include <QSettings>
 
 namespace toile::ui {
@@ -22,6 +23,11 @@ void showTip(QAction& action) {
 
 } // namespace
 
+QString plainText(const QString& actionText) {
+    static const QRegularExpression mnemonic(QStringLiteral("\\(&.\\)|&|…")); // Chinese has it in brackets, behind the word
+    return QString(actionText).remove(mnemonic);
+}
+
 void Actions::add(QWidget& window, const std::vector<ActionSpec>& table) {
     const QSettings settings;
     for (const ActionSpec& spec : table) {
@@ -30,7 +36,7 @@ void Actions::add(QWidget& window, const std::vector<ActionSpec>& table) {
         defaults_.insert(spec.id, spec.shortcut);
         action->setShortcut(
             QKeySequence(settings.value(settingsGroup + spec.id, spec.shortcut.toString()).toString()));
-        action->setData(spec.tip.isEmpty() ? QString(spec.text).remove(QLatin1Char('&')) : spec.tip);
+        action->setData(spec.tip.isEmpty() ? plainText(spec.text) : spec.tip);
         showTip(*action);
         if (!spec.shortText.isEmpty()) action->setIconText(spec.shortText);
         if (!spec.icon.isEmpty()) action->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(spec.icon)));

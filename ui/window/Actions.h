@@ -23,6 +23,9 @@ struct ActionSpec {
     QString shortText = {}; ///< on buttons that show text; empty = text
 };
 
+/// The text of an action without its mnemonic and dots.
+[[nodiscard]] QString plainText(const QString& actionText);
+
 /// The actions of a window by their ids. A user's own shortcuts are kept in the settings, group "shortcuts".
 class Actions {
 public:

@@ -11,14 +11,6 @@
 #include <QVBoxLayout>
 
 namespace toile::ui {
-namespace {
-
-QString nameOf(const QAction& action) {
-    return action.text().remove(QLatin1Char('&')).remove(QStringLiteral("…"));
-}
-
-} // namespace
-
 ShortcutDialog::ShortcutDialog(Actions& actions, QWidget* parent) : QDialog(parent), actions_(actions) {
     setObjectName(QStringLiteral("shortcutDialog"));
     setWindowTitle(tr("Keyboard shortcuts"));
@@ -28,7 +20,7 @@ ShortcutDialog::ShortcutDialog(Actions& actions, QWidget* parent) : QDialog(pare
     list_->setRootIsDecorated(false);
     list_->setHeaderLabels({tr("Command"), tr("Keys")});
     for (const QAction* action : actions.all()) {
-        auto* line = new QTreeWidgetItem(list_, {nameOf(*action)});
+        auto* line = new QTreeWidgetItem(list_, {plainText(action->text())});
         line->setIcon(0, action->icon());
         line->setData(0, Qt::UserRole, action->objectName());
         chosen_.insert(action->objectName(), action->shortcut());
@@ -99,7 +91,7 @@ void ShortcutDialog::choose(const QKeySequence& keys) {
     showSelected();
     if (!former.isEmpty())
         remark_->setText(tr("%1 was “%2”, which has no keys now.")
-                             .arg(keys.toString(QKeySequence::NativeText), nameOf(*actions_[former])));
+                             .arg(keys.toString(QKeySequence::NativeText), plainText(actions_[former]->text())));
 }
 
 void ShortcutDialog::restoreDefaults() {
