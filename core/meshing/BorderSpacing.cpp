@@ -41,7 +41,7 @@ double finestSpacingAlong(const PieceInput& piece, const PieceBoundary& boundary
     const LoopBoundary& border = boundary.loops[at(loop)];
     const EdgeArc& arc = border.edges[at(edge)];
     const auto place = [&](double fraction) { return boundary.frame.frameOf(arc.arc.pointAt(fraction)); };
-    if (piece.regions.empty() || arc.collapsed) return piece.spacing;
+    if (arc.collapsed) return piece.spacing;
     const int samples = 2 + static_cast<int>(std::ceil(arc.length * (to - from) / (0.25 * piece.spacing)));
     int finest = 1;
     for (int k = 0; k < samples; ++k) {

@@ -9,51 +9,20 @@
 namespace toile::meshing {
 namespace {
 
-double along(Vec2 point, int axis) {
-    return axis == 0 ? point.x : point.y;
-}
-
-/// Straight boundary on one coordinate: where and how long.
-struct StraightLine {
-    double at = 0, length = 0; ///< [m]
-};
-
-/// The grain-parallel straight edges of one axis, joined by coordinate, longest first. Axis 0: x is constant.
-std::vector<StraightLine> grainParallelLines(const PieceInput& piece, const PieceFrame& frame, int axis) {
-    std::vector<StraightLine> lines;
-    for (int loop = 0; loop < loopCount(piece); ++loop)
-        for (const BoundaryEdge& edge : loopOf(piece, loop)) {
-            if (!std::holds_alternative<geometry::LineShape>(edge.curve.shape)) continue;
-            const Vec2 a = frame.frameOf(edge.curve.start), b = frame.frameOf(edge.curve.end);
-            const Vec2 along = axis == 0 ? b - a : Vec2{b.y - a.y, b.x - a.x};
-            if (std::abs(along.x) > 2 * frame.unit || std::abs(along.y) <= 4 * frame.unit) continue;
-            const double at = 0.5 * (axis == 0 ? a.x + b.x : a.y + b.y);
-            const auto same = std::find_if(lines.begin(), lines.end(), [&](const StraightLine& line) {
-                return std::abs(line.at - at) <= 2 * frame.unit;
-            });
-            if (same == lines.end())
-                lines.push_back({at, std::abs(along.y)});
-            else
-                same->length += std::abs(along.y);
-        }
-    std::sort(lines.begin(), lines.end(), [&](const StraightLine& a, const StraightLine& b) {
-        return std::abs(a.length - b.length) > frame.unit ? a.length > b.length : a.at < b.at;
-    });
-    return lines;
-}
-
-int partsOf(double distance, double spacing) {
-    return std::max(1, static_cast<int>(std::ceil(distance / spacing - 1e-9)));
-}
-
 /// The second longest line that is far enough away for whole intervals to suit the spacing.
-std::optional<double> partnerOf(const std::vector<StraightLine>& lines, double extent, double spacing) {
+std::optional<double> partnerOf(const std::vector<LineWish>& lines, double extent, double spacing) {
     for (std::size_t i = 1; i < lines.size(); ++i) {
         const double distance = std::abs(lines[i].at - lines[0].at);
         if (distance >= 3 * spacing || distance >= 0.99 * extent) return lines[i].at;
     }
     return std::nullopt;
 }
+
+struct LineSettings {
+    double spacing = 0.02;  ///< ε_m [m]
+    double tolerance = 0;   ///< coordinates this near are one [m]
+    double mostParts = 1.5; ///< a stretch may ask for so many times the lines that the spacing asks for [–]
+};
 
 /// Equal intervals that cover low … high and one more on each side, with a line at `anchor`.
 std::vector<double> evenLines(double anchor, double interval, double low, double high) {
@@ -64,80 +33,103 @@ std::vector<double> evenLines(double anchor, double interval, double low, double
     return lines;
 }
 
-/// Evenly spaced lines, by one of them and their distance.
-struct EvenSpacing {
-    double anchor = 0, interval = 0;
-};
-
-bool onLine(const EvenSpacing& spacing, double at, double tolerance) {
-    const double steps = (at - spacing.anchor) / spacing.interval;
-    return std::abs(steps - std::round(steps)) * spacing.interval <= tolerance;
+/// Lines at `places` and in equal parts between them, as the nodes of stretches lie; on beyond both ends.
+std::vector<double> linesThroughNodes(const std::vector<double>& places,
+                                      const std::vector<GrainStretch>& stretches, double low, double high,
+                                      const LineSettings& settings) {
+    std::vector<double> inner;
+    double firstGap = settings.spacing, lastGap = settings.spacing;
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+        const double gap = places[i + 1] - places[i];
+        const int natural = partsOf(gap, settings.spacing);
+        int parts = natural;
+        for (const GrainStretch& stretch : stretches)
+            if (std::abs(stretch.low - places[i]) <= settings.tolerance &&
+                std::abs(stretch.high - places[i + 1]) <= settings.tolerance &&
+                stretch.parts <= settings.mostParts * natural)
+                parts = std::max(parts, stretch.parts);
+        for (int k = 0; k < parts; ++k) inner.push_back(places[i] + gap * k / parts);
+        lastGap = gap / parts;
+        if (i == 0) firstGap = lastGap;
+    }
+    std::vector<double> lines = evenLines(places.front(), firstGap, low, places.front());
+    std::erase_if(lines, [&](double line) { return line > places.front() - 0.5 * firstGap; });
+    lines.insert(lines.end(), inner.begin(), inner.end());
+    for (const double line : evenLines(places.back(), lastGap, places.back(), high))
+        if (line > places.back() - 0.5 * lastGap) lines.push_back(line);
+    return lines;
 }
 
-/// A grain-parallel straight edge by its ends along the axis of which lines are sought.
-struct StraightSpan {
-    double low = 0, high = 0;
-};
+/// The index of the line at a coordinate, or −1.
+std::ptrdiff_t lineAt(const std::vector<double>& lines, double at, double tolerance) {
+    const auto found = std::lower_bound(lines.begin(), lines.end(), at - tolerance);
+    return found != lines.end() && *found <= at + tolerance ? found - lines.begin() : -1;
+}
 
-std::vector<StraightSpan> grainParallelSpans(const PieceInput& piece, const PieceFrame& frame, int axis) {
-    std::vector<StraightSpan> spans;
-    for (int loop = 0; loop < loopCount(piece); ++loop)
-        for (const BoundaryEdge& edge : loopOf(piece, loop)) {
-            if (!std::holds_alternative<geometry::LineShape>(edge.curve.shape)) continue;
-            const Vec2 a = frame.frameOf(edge.curve.start), b = frame.frameOf(edge.curve.end);
-            if (std::abs(along(b - a, 1 - axis)) > 2 * frame.unit) continue;
-            const double low = std::min(along(a, axis), along(b, axis)),
-                         high = std::max(along(a, axis), along(b, axis));
-            if (high - low >= piece.spacing) spans.push_back({low, high});
-        }
-    return spans;
+/// Every node of the stretch lies on a line, and every line that crosses it meets a node.
+bool carries(const std::vector<double>& lines, const GrainStretch& stretch, double tolerance) {
+    const std::ptrdiff_t first = lineAt(lines, stretch.low, tolerance),
+                         last = lineAt(lines, stretch.high, tolerance);
+    if (first < 0 || last - first != stretch.parts) return false;
+    for (std::ptrdiff_t k = 1; k < stretch.parts; ++k) {
+        const double node =
+            stretch.low + (stretch.high - stretch.low) * static_cast<double>(k) / stretch.parts;
+        if (std::abs(lines[static_cast<std::size_t>(first + k)] - node) > tolerance) return false;
+    }
+    return true;
 }
 
 /// Metres of border whose nodes such lines would carry: edges along the lines, and edges across them that are
 /// divided where the lines cross.
-double carried(const EvenSpacing& spacing, const std::vector<StraightLine>& lines,
-               const std::vector<StraightSpan>& spans, double wanted, double tolerance) {
+double carried(const std::vector<double>& lines, const std::vector<LineWish>& straight,
+               const std::vector<GrainStretch>& stretches, double tolerance) {
     double length = 0;
-    for (const StraightLine& line : lines)
-        if (onLine(spacing, line.at, tolerance)) length += line.length;
-    for (const StraightSpan& span : spans)
-        if (onLine(spacing, span.low, tolerance) && onLine(spacing, span.high, tolerance) &&
-            std::lround((span.high - span.low) / spacing.interval) == partsOf(span.high - span.low, wanted))
-            length += span.high - span.low;
+    for (const LineWish& line : straight)
+        if (lineAt(lines, line.at, tolerance) >= 0) length += line.weight;
+    for (const GrainStretch& stretch : stretches)
+        if (carries(lines, stretch, tolerance)) length += stretch.high - stretch.low;
     return length;
 }
 
-/// h = W/⌈W/ε⌉ with lines on the two longest grain-parallel edges, or at the nodes of an edge across,
-/// whichever carries more of the border; else the phase of the longest edge; else symmetric.
-std::vector<double> regularLines(const std::vector<StraightLine>& straight,
-                                 const std::vector<StraightSpan>& spans, double low, double high,
-                                 double spacing, double tolerance) {
-    std::vector<EvenSpacing> candidates;
+/// Even lines at h = W/⌈W/ε⌉ with lines on the two longest grain-parallel edges, or at the nodes of a stretch
+/// across; or lines through the fixed points of all stretches, in equal parts between them: whichever carries
+/// most of the border, even lines first. Without straight edges they are laid symmetrically.
+std::vector<double> regularLines(const std::vector<LineWish>& straight,
+                                 const std::vector<GrainStretch>& stretches,
+                                 const std::vector<double>& places, double low, double high,
+                                 const LineSettings& settings) {
+    constexpr std::size_t enough = 40; // candidates; a comb has as many stretches as teeth
+    const double spacing = settings.spacing;
+    std::vector<std::vector<double>> candidates;
+    const auto addEven = [&](double anchor, double interval) {
+        if (candidates.size() < enough) candidates.push_back(evenLines(anchor, interval, low, high));
+    };
     if (!straight.empty()) {
         if (const auto partner = partnerOf(straight, high - low, spacing)) {
             const double width = std::abs(*partner - straight.front().at);
-            candidates.push_back({std::min(*partner, straight.front().at), width / partsOf(width, spacing)});
+            addEven(std::min(*partner, straight.front().at), width / partsOf(width, spacing));
         }
-        candidates.push_back({straight.front().at, spacing});
+        addEven(straight.front().at, spacing);
     }
-    for (const StraightSpan& span : spans)
-        candidates.push_back({span.low, (span.high - span.low) / partsOf(span.high - span.low, spacing)});
+    for (const GrainStretch& stretch : stretches)
+        addEven(stretch.low, (stretch.high - stretch.low) / partsOf(stretch.high - stretch.low, spacing));
+    if (places.size() > 1) candidates.push_back(linesThroughNodes(places, stretches, low, high, settings));
     if (candidates.empty()) {
         const bool even = partsOf(high - low, spacing) % 2 == 0;
-        candidates.push_back({0.5 * (low + high) - (even ? 0 : 0.5 * spacing), spacing});
+        addEven(0.5 * (low + high) - (even ? 0 : 0.5 * spacing), spacing);
     }
-    EvenSpacing best = candidates.front();
+    std::size_t best = 0;
     double most = -1;
-    for (const EvenSpacing& candidate : candidates) {
-        const double length = carried(candidate, straight, spans, spacing, tolerance);
-        if (length <= most + tolerance) continue;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const double length = carried(candidates[i], straight, stretches, settings.tolerance);
+        if (length <= most + settings.tolerance) continue;
         most = length;
-        best = candidate;
+        best = i;
     }
-    std::vector<double> lines = evenLines(best.anchor, best.interval, low, high);
-    for (double& line : lines) // an edge's own coordinate, free of rounding
-        for (const StraightLine& edge : straight)
-            if (std::abs(line - edge.at) < 0.25 * tolerance) line = edge.at;
+    std::vector<double> lines = std::move(candidates[best]);
+    for (const LineWish& edge : straight) // an edge's own coordinate, free of rounding
+        if (const auto line = lineAt(lines, edge.at, 0.25 * settings.tolerance); line >= 0)
+            lines[static_cast<std::size_t>(line)] = edge.at;
     return lines;
 }
 
@@ -188,7 +180,7 @@ void addRegionLines(const PieceInput& piece, const PieceFrame& frame, int axis, 
     }
 }
 
-std::vector<double> exactBorderLines(const std::vector<StraightLine>& straight, std::vector<Wish> wishes,
+std::vector<double> exactBorderLines(const std::vector<LineWish>& straight, std::vector<Wish> wishes,
                                      double low, double high, double spacing) {
     if (!straight.empty()) {
         wishes.push_back({straight.front().at, 3});
@@ -230,7 +222,8 @@ void addAuthoredVertices(const PieceInput& piece, const PieceFrame& frame, int a
 }
 
 std::vector<double> linesOfAxis(const PieceInput& piece, const PieceBoundary& boundary,
-                                const std::vector<Vec2>& seamEnds, int axis) {
+                                const std::vector<Vec2>& seamEnds, const GrainStretches& stretches,
+                                int axis) {
     const double low = along(boundary.box.low, axis), high = along(boundary.box.high, axis),
                  spacing = piece.spacing;
     std::vector<Wish> wishes;
@@ -240,15 +233,18 @@ std::vector<double> linesOfAxis(const PieceInput& piece, const PieceBoundary& bo
             std::max(16 * boundary.frame.unit, 1e-5 * spacing); // lines no nearer than the grid can tell
         return linesThrough(std::move(wishes), least, spacing, low, high);
     }
-    const std::vector<StraightLine> straight = grainParallelLines(piece, boundary.frame, axis);
+    const std::vector<LineWish> straight = grainLines(piece, boundary.frame, axis);
     if (piece.border == RegionBorder::exact) addRegionLines(piece, boundary.frame, axis, wishes);
     if (piece.rule == LineRule::features) {
         addFeatures(piece, boundary, seamEnds, axis, wishes);
         return linesThrough(std::move(wishes), spacing / 4, spacing, low, high);
     }
-    if (wishes.empty()) // the rule `regular`
-        return regularLines(straight, grainParallelSpans(piece, boundary.frame, axis), low, high, spacing,
-                            2 * boundary.frame.unit);
+    if (wishes.empty()) { // the rule `regular`
+        const auto& own = stretches[static_cast<std::size_t>(axis)];
+        const double across = along(boundary.box.high - boundary.box.low, 1 - axis);
+        return regularLines(straight, own, linePlaces(piece, boundary.frame, axis, own), low, high,
+                            {spacing, 2 * boundary.frame.unit, mostPartsAcross(across, spacing)});
+    }
     return exactBorderLines(straight, std::move(wishes), low, high, spacing);
 }
 
@@ -261,12 +257,12 @@ std::vector<double> within(std::vector<double> lines, double low, double high, d
 
 } // namespace
 
-MainLines mainLines(const PieceInput& piece, const PieceBoundary& boundary,
-                    const std::vector<Vec2>& seamEnds) {
+MainLines mainLines(const PieceInput& piece, const PieceBoundary& boundary, const std::vector<Vec2>& seamEnds,
+                    const GrainStretches& stretches) {
     const geometry::Box2& box = boundary.box;
     const double reach = distance(box.low, box.high);
-    return {within(linesOfAxis(piece, boundary, seamEnds, 0), box.low.x, box.high.x, reach),
-            within(linesOfAxis(piece, boundary, seamEnds, 1), box.low.y, box.high.y, reach)};
+    return {within(linesOfAxis(piece, boundary, seamEnds, stretches, 0), box.low.x, box.high.x, reach),
+            within(linesOfAxis(piece, boundary, seamEnds, stretches, 1), box.low.y, box.high.y, reach)};
 }
 
 } // namespace toile::meshing

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/meshing/GrainSpans.h"
 #include "core/meshing/Lattice.h"
 #include "core/meshing/PieceBoundary.h"
 
@@ -12,8 +13,9 @@ struct MainLines {
     std::vector<double> x, y;
 };
 
-/// The main lines of a piece by its rule. seamEnds, in the frame, matter to the rule `features` alone.
+/// The main lines of a piece by its rule. seamEnds, in the frame, matter to the rule `features` alone, the
+/// stretches of its grain-parallel border to `regular`.
 [[nodiscard]] MainLines mainLines(const PieceInput& piece, const PieceBoundary& boundary,
-                                  const std::vector<Vec2>& seamEnds);
+                                  const std::vector<Vec2>& seamEnds, const GrainStretches& stretches);
 
 } // namespace toile::meshing

@@ -39,9 +39,9 @@ void refineOnce(const std::vector<BoundarySpot>& spots, int piece, BoundaryDivis
 
 /// Divides all borders, finer where the polygon through the nodes would cross itself.
 Result<BoundaryDivision> dividedBorders(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
-                                        const std::vector<CheckedSeam>& seams, const SpacingAlong& spacing,
-                                        std::vector<BoundaryNodes>& nodes) {
-    auto division = BoundaryDivision::create(input, boundaries, seams, spacing);
+                                        const std::vector<CheckedSeam>& seams, const FixedPoints& points,
+                                        const SpacingAlong& spacing, std::vector<BoundaryNodes>& nodes) {
+    auto division = BoundaryDivision::create(input, boundaries, seams, points, spacing);
     if (!division) return division;
     for (int round = 0;; ++round) {
         bool coarse = false;
@@ -90,7 +90,8 @@ SeamNodes nodesOf(const CheckedSeam& seam, const BoundaryDivision& division,
     return nodes;
 }
 
-/// By how much the ways between neighbouring pairs differ: 0 unless there is ease, or a curve's chords fall short.
+/// By how much the ways between neighbouring pairs differ: 0 unless there is ease, or a curve's chords fall
+/// short.
 double largestSpacingMismatch(const SeamNodes& nodes, const std::vector<PieceMesh>& pieces) {
     double largest = 0;
     for (std::size_t k = 0; k + 1 < nodes.pairs.size(); ++k) {
@@ -98,7 +99,8 @@ double largestSpacingMismatch(const SeamNodes& nodes, const std::vector<PieceMes
         for (std::size_t side = 0; side < 2; ++side) {
             const NodeRef from = nodes.pairs[k][side], to = nodes.pairs[k + 1][side];
             if (from.piece == to.piece)
-                way[side] = distance(pieces[at(from.piece)].nodes[at(from.node)], pieces[at(to.piece)].nodes[at(to.node)]);
+                way[side] = distance(pieces[at(from.piece)].nodes[at(from.node)],
+                                     pieces[at(to.piece)].nodes[at(to.node)]);
         }
         if (way[0] > 0 && way[1] > 0)
             largest = std::max(largest, std::abs(way[0] - way[1]) / std::max(way[0], way[1]));
@@ -130,9 +132,9 @@ std::vector<Vec2> seamEnds(const std::vector<CheckedSeam>& seams, int piece, con
 
 /// The main mesh with the regions on it.
 Result<Lattice> latticeOf(const PieceInput& piece, const PieceBoundary& boundary,
-                          const std::vector<Vec2>& seamEnds, std::vector<RegionReport>& reports,
-                          std::vector<Warning>& warnings) {
-    MainLines lines = mainLines(piece, boundary, seamEnds);
+                          const std::vector<Vec2>& seamEnds, const GrainStretches& stretches,
+                          std::vector<RegionReport>& reports, std::vector<Warning>& warnings) {
+    MainLines lines = mainLines(piece, boundary, seamEnds, stretches);
     if (auto fits = affordable(piece, lines.x.size(), lines.y.size()); !fits)
         return tl::unexpected(fits.error());
     Lattice lattice(std::move(lines.x), std::move(lines.y));
@@ -192,33 +194,50 @@ Result<GarmentMesh> meshGarment(const MeshInput& input) {
         if (!checked) return tl::unexpected(checked.error());
         seams.push_back(std::move(*checked));
     }
-    std::vector<Lattice> lattices;
-    for (std::size_t p = 0; p < input.pieces.size(); ++p) {
-        const std::vector<Vec2> ends = seamEnds(seams, static_cast<int>(p), boundaries[p]);
-        auto lattice = latticeOf(input.pieces[p], boundaries[p], ends, regions[p], garment.report.warnings);
+    const auto points = fixedPoints(input, boundaries, seams);
+    if (!points) return tl::unexpected(points.error());
+    // Regions are snapped before the border is divided, because they say how finely; without regions it is
+    // the other way round, and lines can pass through whatever nodes the seams ask for.
+    std::vector<std::optional<Lattice>> lattices(input.pieces.size());
+    const auto layLattice = [&](std::size_t p, const GrainStretches& stretches) -> Result<void> {
+        auto lattice =
+            latticeOf(input.pieces[p], boundaries[p], seamEnds(seams, static_cast<int>(p), boundaries[p]),
+                      stretches, regions[p], garment.report.warnings);
         if (!lattice) return tl::unexpected(lattice.error());
-        lattices.push_back(std::move(*lattice));
-    }
+        lattices[p] = std::move(*lattice);
+        return {};
+    };
+    for (std::size_t p = 0; p < input.pieces.size(); ++p)
+        if (!input.pieces[p].regions.empty())
+            if (auto laid = layLattice(p, grainStretches(input.pieces[p], boundaries[p], (*points)[p]));
+                !laid)
+                return tl::unexpected(laid.error());
     const SpacingAlong spacing = [&](int piece, int loop, int edge, double from, double to) {
-        return finestSpacingAlong(input.pieces[at(piece)], boundaries[at(piece)], lattices[at(piece)], loop,
+        if (!lattices[at(piece)]) return input.pieces[at(piece)].spacing;
+        return finestSpacingAlong(input.pieces[at(piece)], boundaries[at(piece)], *lattices[at(piece)], loop,
                                   edge, from, to);
     };
     std::vector<BoundaryNodes> nodes;
-    const auto division = dividedBorders(input, boundaries, seams, spacing, nodes);
+    const auto division = dividedBorders(input, boundaries, seams, *points, spacing, nodes);
     if (!division) return tl::unexpected(division.error());
+    for (std::size_t p = 0; p < input.pieces.size(); ++p)
+        if (!lattices[p])
+            if (auto laid = layLattice(
+                    p, division->grainStretches(input.pieces[p], static_cast<int>(p), boundaries[p]));
+                !laid)
+                return tl::unexpected(laid.error());
 
     std::vector<Result<PieceMesh>> meshes(input.pieces.size());
-    inParallel(
-        pieceCount, [&](int p) { // each piece on its own: the result does not depend on the threads
-            const auto start = std::chrono::steady_clock::now();
-            const std::size_t i = at(p);
-            meshes[i] = meshedPiece(input.pieces[i], p, boundaries[i], nodes[i], *division, lattices[i]);
-            if (!meshes[i]) return;
-            PieceReport& report = garment.report.pieces[i] =
-                reportOf(input.pieces[i], boundaries[i], nodes[i], *meshes[i]);
-            report.regions = std::move(regions[i]);
-            report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        });
+    inParallel(pieceCount, [&](int p) { // each piece on its own: the result does not depend on the threads
+        const auto start = std::chrono::steady_clock::now();
+        const std::size_t i = at(p);
+        meshes[i] = meshedPiece(input.pieces[i], p, boundaries[i], nodes[i], *division, *lattices[i]);
+        if (!meshes[i]) return;
+        PieceReport& report = garment.report.pieces[i] =
+            reportOf(input.pieces[i], boundaries[i], nodes[i], *meshes[i]);
+        report.regions = std::move(regions[i]);
+        report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    });
     for (auto& mesh : meshes) {
         if (!mesh) return tl::unexpected(mesh.error());
         garment.pieces.push_back(std::move(*mesh));
@@ -226,7 +245,8 @@ Result<GarmentMesh> meshGarment(const MeshInput& input) {
     garment.report.total = totalOf(garment.report.pieces);
     for (std::size_t s = 0; s < seams.size(); ++s) {
         garment.seams.push_back(nodesOf(seams[s], *division, garment.pieces));
-        garment.report.seams.push_back(reportOf(input.seams[s], seams[s], garment.seams.back(), garment.pieces));
+        garment.report.seams.push_back(
+            reportOf(input.seams[s], seams[s], garment.seams.back(), garment.pieces));
     }
     return garment;
 }

@@ -10,89 +10,10 @@
 namespace toile::meshing {
 namespace {
 
-constexpr double samePlace = 1e-5; ///< fixed points nearer than this along an edge are one [m]
-constexpr int mostRounds = 64;
-
-using Breaks =
-    std::vector<std::vector<std::vector<std::vector<double>>>>; ///< [piece][loop][edge], rising fractions
+constexpr double samePlace = 1e-5; ///< ends of facing stretches nearer than this face one another [m]
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
-}
-
-const EdgeArc& arcOf(const std::vector<PieceBoundary>& boundaries, int piece, int loop, int edge) {
-    return boundaries[at(piece)].loops[at(loop)].edges[at(edge)];
-}
-
-std::vector<double>& breaksOf(Breaks& breaks, const SeamPartInput& part) {
-    return breaks[at(part.piece)][at(part.loop)][at(part.edge)];
-}
-
-/// Adds a fixed point unless one is there already; says whether it did.
-bool addBreak(std::vector<double>& breaks, double fraction, double edgeLength) {
-    const auto above = std::lower_bound(breaks.begin(), breaks.end(), fraction);
-    const double tolerance = std::max(1e-12, samePlace / std::max(edgeLength, 1e-9));
-    if (above != breaks.end() && *above - fraction <= tolerance) return false;
-    if (above != breaks.begin() && fraction - *std::prev(above) <= tolerance) return false;
-    breaks.insert(above, fraction);
-    return true;
-}
-
-Breaks ownBreaks(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
-                 const std::vector<CheckedSeam>& seams) {
-    Breaks breaks;
-    for (std::size_t p = 0; p < input.pieces.size(); ++p) {
-        auto& loops = breaks.emplace_back();
-        for (int loop = 0; loop < loopCount(input.pieces[p]); ++loop) {
-            auto& edges = loops.emplace_back();
-            for (std::size_t e = 0; e < loopOf(input.pieces[p], loop).size(); ++e) {
-                auto& own = edges.emplace_back(std::vector<double>{0, 1});
-                const EdgeArc& arc = boundaries[p].loops[at(loop)].edges[e];
-                if (arc.collapsed) continue;
-                for (const double notch : loopOf(input.pieces[p], loop)[e].notches)
-                    addBreak(own, notch, arc.length);
-            }
-        }
-    }
-    for (const CheckedSeam& seam : seams)
-        for (const SeamChain& side : seam.sides)
-            for (const ChainPart& part : side.parts)
-                for (const double end : {part.part.from, part.part.to})
-                    addBreak(breaksOf(breaks, part.part), end,
-                             arcOf(boundaries, part.part.piece, part.part.loop, part.part.edge).length);
-    return breaks;
-}
-
-/// The fixed points of a part in walking order, as fractions of its edge; both ends included.
-std::vector<double> breaksAlong(const std::vector<double>& breaks, const ChainPart& part, double edgeLength) {
-    const double tolerance = samePlace / edgeLength;
-    std::vector<double> along;
-    for (const double fraction : breaks)
-        if (fraction >= part.part.from - tolerance && fraction <= part.part.to + tolerance)
-            along.push_back(fraction);
-    if (part.part.reversed) std::reverse(along.begin(), along.end());
-    return along;
-}
-
-/// Carries the fixed points of one side of a seam to the other; says whether anything was new.
-bool carryAcross(const CheckedSeam& seam, int side, const std::vector<PieceBoundary>& boundaries,
-                 Breaks& breaks) {
-    bool added = false;
-    const SeamChain& other = seam.sides[at(1 - side)];
-    for (const ChainPart& part : seam.sides[at(side)].parts) {
-        const double edgeLength = arcOf(boundaries, part.part.piece, part.part.loop, part.part.edge).length;
-        for (const double fraction : breaksAlong(breaksOf(breaks, part.part), part, edgeLength)) {
-            const double chain =
-                seam.across(side, std::clamp(part.chainOf(fraction), part.start, part.start + part.length));
-            for (const ChainPart& target : other.parts) {
-                if (chain < target.start + samePlace || chain > target.start + target.length - samePlace)
-                    continue;
-                const EdgeArc& arc = arcOf(boundaries, target.part.piece, target.part.loop, target.part.edge);
-                added |= addBreak(breaksOf(breaks, target.part), target.fractionOf(chain), arc.length);
-            }
-        }
-    }
-    return added;
 }
 
 /// Disjoint sets of stretches that must carry equal counts.
@@ -119,6 +40,20 @@ std::vector<int> groupsAlong(const SeamChain& chain,
         groups.insert(groups.end(), own.begin(), own.end());
     }
     return groups;
+}
+
+/// The edge lies along the grain, so that main lines may pass through its nodes.
+bool isLined(const PieceInput& piece, const PieceBoundary& boundary, int loop, int edge) {
+    const Curve& curve = loopOf(piece, loop)[at(edge)].curve;
+    if (piece.rule != LineRule::regular || !std::holds_alternative<geometry::LineShape>(curve.shape))
+        return false;
+    const Vec2 a = boundary.frame.frameOf(curve.start), b = boundary.frame.frameOf(curve.end);
+    return std::min(std::abs(b.x - a.x), std::abs(b.y - a.y)) <= 2 * boundary.frame.unit;
+}
+
+/// A whole number of parts for each main cell, so that its lines and those between them meet the nodes.
+int partsOnLines(double length, double spacing, double finest) {
+    return partsOf(length, spacing) * static_cast<int>(std::lround(spacing / finest));
 }
 
 constexpr double shortEdge = 0.25; ///< of the spacing; longer edges keep their ends [–]
@@ -158,60 +93,43 @@ std::vector<char> passedEnds(const BoundaryLoop& edges, const LoopBoundary& arcs
 Result<BoundaryDivision> BoundaryDivision::create(const MeshInput& input,
                                                   const std::vector<PieceBoundary>& boundaries,
                                                   const std::vector<CheckedSeam>& seams,
-                                                  const SpacingAlong& spacing) {
-    Breaks breaks = ownBreaks(input, boundaries, seams);
-    bool changed = true;
-    for (int round = 0; changed; ++round) {
-        changed = false;
-        for (std::size_t s = 0; s < seams.size(); ++s) {
-            const bool added =
-                carryAcross(seams[s], 0, boundaries, breaks) | carryAcross(seams[s], 1, boundaries, breaks);
-            if (added && round >= mostRounds)
-                return fail(ErrorCode::invalidInput,
-                            "The seam carries its own points on and on along the same edges; seams that "
-                            "share an edge do not fit together.",
-                            {.object = nameOf(input.seams[s])});
-            changed |= added;
-        }
-    }
-
+                                                  const FixedPoints& points, const SpacingAlong& spacing) {
     BoundaryDivision division;
     Groups groups;
     std::vector<int> needed;
-    for (std::size_t p = 0; p < breaks.size(); ++p) {
+    for (std::size_t p = 0; p < points.size(); ++p) {
         auto& loops = division.stretches_.emplace_back();
-        for (std::size_t loop = 0; loop < breaks[p].size(); ++loop) {
+        for (std::size_t loop = 0; loop < points[p].size(); ++loop) {
             auto& edges = loops.emplace_back();
-            for (std::size_t e = 0; e < breaks[p][loop].size(); ++e) {
+            for (std::size_t e = 0; e < points[p][loop].size(); ++e) {
                 auto& own = edges.emplace_back();
-                const std::vector<double>& places = breaks[p][loop][e];
+                const std::vector<double>& places = points[p][loop][e];
                 const EdgeArc& arc = boundaries[p].loops[loop].edges[e];
+                const bool lined =
+                    isLined(input.pieces[p], boundaries[p], static_cast<int>(loop), static_cast<int>(e));
                 for (std::size_t i = 0; i + 1 < places.size(); ++i) {
                     const int group = static_cast<int>(needed.size());
                     own.push_back({places[i], places[i + 1], group});
                     const double length = arc.length * (places[i + 1] - places[i]);
                     const double finest = spacing(static_cast<int>(p), static_cast<int>(loop),
                                                   static_cast<int>(e), places[i], places[i + 1]);
-                    needed.push_back(
-                        arc.collapsed ? 1 : std::max(1, static_cast<int>(std::ceil(length / finest - 1e-9))));
+                    needed.push_back(arc.collapsed ? 1
+                                     : lined       ? partsOnLines(length, input.pieces[p].spacing, finest)
+                                                   : partsOf(length, finest));
                     groups.parent.push_back(group);
                 }
             }
         }
     }
     division.passed_.resize(input.pieces.size());
-    for (std::size_t p = 0; p < input.pieces.size(); ++p)
+    for (std::size_t p = 0; p < input.pieces.size(); ++p) {
+        const std::vector<std::vector<char>> sewn = sewnEdges(input.pieces[p], static_cast<int>(p), seams);
         for (int loop = 0; loop < loopCount(input.pieces[p]); ++loop) {
             const BoundaryLoop& edges = loopOf(input.pieces[p], loop);
-            std::vector<char> sewn(edges.size(), 0);
-            for (const CheckedSeam& seam : seams)
-                for (const SeamChain& side : seam.sides)
-                    for (const ChainPart& part : side.parts)
-                        if (part.part.piece == static_cast<int>(p) && part.part.loop == loop)
-                            sewn[at(part.part.edge)] = 1;
             division.passed_[p].push_back(
-                passedEnds(edges, boundaries[p].loops[at(loop)], sewn, input.pieces[p].spacing));
+                passedEnds(edges, boundaries[p].loops[at(loop)], sewn[at(loop)], input.pieces[p].spacing));
         }
+    }
     for (std::size_t s = 0; s < seams.size(); ++s) {
         const std::vector<int> a = groupsAlong(seams[s].sides[0], division.stretches_);
         const std::vector<int> b = groupsAlong(seams[s].sides[1], division.stretches_);
@@ -230,7 +148,49 @@ Result<BoundaryDivision> BoundaryDivision::create(const MeshInput& input,
         for (auto& edges : loops)
             for (auto& own : edges)
                 for (Stretch& stretch : own) stretch.group = groups.rootOf(stretch.group);
+    for (std::size_t p = 0; p < input.pieces.size(); ++p)
+        division.followFacingEdges(input.pieces[p], static_cast<int>(p), boundaries[p],
+                                   sewnEdges(input.pieces[p], static_cast<int>(p), seams));
     return division;
+}
+
+/// A free straight edge is divided as the sewn one it faces, unless that costs the cells between them too
+/// much.
+void BoundaryDivision::followFacingEdges(const PieceInput& piece, int pieceIndex,
+                                         const PieceBoundary& boundary,
+                                         const std::vector<std::vector<char>>& sewn) {
+    if (piece.rule != LineRule::regular || !piece.regions.empty()) return;
+    for (const int axis : {0, 1}) {
+        const double most =
+            mostPartsAcross(along(boundary.box.high - boundary.box.low, 1 - axis), piece.spacing);
+        const std::vector<GrainSpan> spans = grainSpans(piece, boundary, axis);
+        const auto forEachStretch = [&](bool ofSewn, auto use) {
+            for (const GrainSpan& span : spans)
+                if (static_cast<bool>(sewn[at(span.loop)][at(span.edge)]) == ofSewn)
+                    for (const Stretch& stretch : stretches(pieceIndex, span.loop, span.edge))
+                        use(std::minmax({span.at(stretch.from), span.at(stretch.to)}), stretch.group);
+        };
+        forEachStretch(false, [&](std::pair<double, double> own, int group) {
+            const int natural = counts_[at(group)];
+            forEachStretch(true, [&](std::pair<double, double> facing, int other) {
+                if (std::abs(own.first - facing.first) <= samePlace &&
+                    std::abs(own.second - facing.second) <= samePlace && counts_[at(other)] <= most * natural)
+                    counts_[at(group)] = std::max(counts_[at(group)], counts_[at(other)]);
+            });
+        });
+    }
+}
+
+GrainStretches BoundaryDivision::grainStretches(const PieceInput& piece, int pieceIndex,
+                                                const PieceBoundary& boundary) const {
+    GrainStretches result;
+    for (const int axis : {0, 1})
+        for (const GrainSpan& span : grainSpans(piece, boundary, axis))
+            for (const Stretch& stretch : stretches(pieceIndex, span.loop, span.edge)) {
+                const auto [low, high] = std::minmax({span.at(stretch.from), span.at(stretch.to)});
+                result[at(axis)].push_back({low, high, count(stretch)});
+            }
+    return result;
 }
 
 const std::vector<Stretch>& BoundaryDivision::stretches(int piece, int loop, int edge) const {

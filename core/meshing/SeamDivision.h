@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/meshing/SeamChain.h"
+#include "core/meshing/FixedPoints.h"
 
 #include <functional>
 
@@ -20,10 +20,9 @@ using SpacingAlong = std::function<double(int piece, int loop, int edge, double 
 /// sides of every seam.
 class BoundaryDivision {
 public:
-    [[nodiscard]] static Result<BoundaryDivision> create(const MeshInput& input,
-                                                         const std::vector<PieceBoundary>& boundaries,
-                                                         const std::vector<CheckedSeam>& seams,
-                                                         const SpacingAlong& spacing);
+    [[nodiscard]] static Result<BoundaryDivision>
+    create(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
+           const std::vector<CheckedSeam>& seams, const FixedPoints& points, const SpacingAlong& spacing);
 
     [[nodiscard]] const std::vector<Stretch>& stretches(int piece, int loop, int edge) const;
     [[nodiscard]] int count(const Stretch& stretch) const {
@@ -31,6 +30,9 @@ public:
     }
     /// The fractions of the nodes of an edge from 0 to 1.
     [[nodiscard]] std::vector<double> fractions(int piece, int loop, int edge) const;
+    /// The stretches of the straight edges along the grain of a piece, by axis.
+    [[nodiscard]] GrainStretches grainStretches(const PieceInput& piece, int pieceIndex,
+                                                const PieceBoundary& boundary) const;
     /// Doubles the number of parts of all stretches of a group.
     void refine(int group) { counts_[static_cast<std::size_t>(group)] *= 2; }
     /// The end of the edge is no node: it lies in a smooth run of edges much shorter than the spacing, as
@@ -40,6 +42,9 @@ public:
     void takeEveryVertex(int piece, int loop);
 
 private:
+    void followFacingEdges(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,
+                           const std::vector<std::vector<char>>& sewn);
+
     std::vector<std::vector<std::vector<char>>> passed_;                    ///< [piece][loop][edge]
     std::vector<std::vector<std::vector<std::vector<Stretch>>>> stretches_; ///< [piece][loop][edge]
     std::vector<int> counts_;                                               ///< by group

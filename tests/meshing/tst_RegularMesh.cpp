@@ -16,6 +16,10 @@ private slots:
     void everyShapeGivesAValidMesh();
     void boundaryNodesLieOnTheirCurves();
     void theMirroredTwinIsTheMirrorImage();
+    void aBandSewnToSeveralPiecesIsRectanglesOnly();
+    void aBandTakesTheFinerNodesOfWhatIsGatheredIntoIt();
+    void aFreeEdgeTakesTheFixedPointsOfTheEdgeItFaces();
+    void fixedPointsTooNearForTwoLinesLeaveAStrip();
 };
 
 namespace {
@@ -32,6 +36,11 @@ PieceInput ringPiece() {
     PieceInput piece = circlePiece(0.3, 0.02);
     piece.holes.push_back(circleLoop({0.02, 0.01}, 0.1, true));
     return piece;
+}
+
+SeamInput seamOf(std::vector<SeamPartInput> a, std::vector<SeamPartInput> b,
+                 std::vector<SeamSectionInput> sections = {}) {
+    return {"seam", {std::move(a), std::move(b)}, std::move(sections)};
 }
 
 } // namespace
@@ -126,6 +135,68 @@ void tst_RegularMesh::theMirroredTwinIsTheMirrorImage() {
         std::sort(its.begin(), its.end());
         QVERIFY(mine == its);
     }
+}
+
+void tst_RegularMesh::aBandSewnToSeveralPiecesIsRectanglesOnly() {
+    // 0.23 and 0.31 m at 20 mm: 12 and 16 columns of different widths; 0.03 m: two rows.
+    MeshInput input{
+        {rectanglePiece(0.23, 0.5, 0.02), rectanglePiece(0.31, 0.5, 0.02), rectanglePiece(0.54, 0.03, 0.02)},
+        {}};
+    input.seams = {seamOf({{0, 0, 2, 0, 1, true}, {1, 0, 2, 0, 1, true}}, {{2, 0, 0}})};
+    const auto garment = meshGarment(input);
+    QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
+    const PieceMesh& band = garment->pieces[2];
+    QVERIFY(band.triangles.empty());
+    QCOMPARE(band.rectangles.size(), std::size_t{2 * (12 + 16)});
+    QCOMPARE(QString::fromStdString(defectOf(band)), QString());
+    for (const EdgeNode& below :
+         band.loops[0][0]) { // the free edge above has its nodes straight over the seam's
+        const Vec2 node = band.nodes[static_cast<std::size_t>(below.node)];
+        QVERIFY(std::any_of(band.loops[0][2].begin(), band.loops[0][2].end(), [&](const EdgeNode& above) {
+            return distance(band.nodes[static_cast<std::size_t>(above.node)], node + Vec2{0, 0.03}) < 1e-12;
+        }));
+    }
+}
+
+void tst_RegularMesh::aBandTakesTheFinerNodesOfWhatIsGatheredIntoIt() {
+    MeshInput input{{rectanglePiece(0.8, 0.5, 0.02), rectanglePiece(0.4, 0.04, 0.02)}, {}};
+    input.seams = {seamOf({{0, 0, 2, 0, 1, true}}, {{1, 0, 0}}, {{0, 2.0}})};
+    const auto garment = meshGarment(input);
+    QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
+    for (const PieceMesh& mesh : garment->pieces) QVERIFY(mesh.triangles.empty());
+    QCOMPARE(garment->pieces[0].rectangles.size(), std::size_t{40 * 25});
+    QCOMPARE(garment->pieces[1].rectangles.size(), std::size_t{40 * 2});
+}
+
+void tst_RegularMesh::aFreeEdgeTakesTheFixedPointsOfTheEdgeItFaces() {
+    MeshInput input{{rectanglePiece(0.4, 0.3, 0.02), rectanglePiece(0.4, 0.3, 0.02)}, {}};
+    input.pieces[0].outline[2].notches = {0.33};
+    input.pieces[1].outline[0].notches = {0.67};
+    input.seams = {seamOf({{0, 0, 2, 0, 1, true}}, {{1, 0, 0}})};
+    const auto garment = meshGarment(input);
+    QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
+    for (const PieceMesh& mesh : garment->pieces) QVERIFY(mesh.triangles.empty());
+    const EdgeNodes& hem =
+        garment->pieces[0].loops[0][0]; // 0.268 m in 14 parts, the notch's place, 0.132 m in 7
+    QCOMPARE(hem.size(), std::size_t{14 + 7 + 1});
+    QVERIFY(std::abs(hem[14].fraction - 0.67) < 1e-12);
+}
+
+void tst_RegularMesh::fixedPointsTooNearForTwoLinesLeaveAStrip() {
+    MeshInput input{{rectanglePiece(0.4, 0.3, 0.02), rectanglePiece(0.4, 0.3, 0.02)}, {}};
+    input.pieces[0].outline[2].notches = {0.67, 0.68}; // 4 mm apart
+    input.pieces[1].outline[0].notches = {0.32, 0.33};
+    input.seams = {seamOf({{0, 0, 2, 0, 1, true}}, {{1, 0, 0}})};
+    const auto garment = meshGarment(input);
+    QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
+    for (const PieceMesh& mesh : garment->pieces) {
+        QCOMPARE(QString::fromStdString(defectOf(mesh)), QString());
+        for (const Rectangle& r : mesh.rectangles)
+            QVERIFY(mesh.material[static_cast<std::size_t>(r.nodes[1])].x -
+                        mesh.material[static_cast<std::size_t>(r.nodes[0])].x >=
+                    0.0099);
+    }
+    QVERIFY(garment->report.total.rectangleFraction > 0.85);
 }
 
 QTEST_APPLESS_MAIN(tst_RegularMesh)
