@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/Calibration.h"
+#include "core/io/DocumentFile.h"
+#include "core/simulation/Garment.h"
+#include "core/simulation/MeshInputOf.h"
+
+#include <algorithm>
+#include <benchmark/benchmark.h>
+#include <cstdlib>
+#include <malloc.h>
+#include <string>
+
+/// Times of the mesher on one piece, which takes one core. `hash` tells a faster wrong answer from a right
+/// one; `calibrated` is the time divided by that of a million spring forces.
+namespace toile::bench {
+namespace {
+
+pattern::Pattern sample(const std::string& name) {
+    auto opened = io::readDocument(TOILE_SAMPLES "/" + name + ".toile");
+    if (!opened) std::abort();
+    return opened->document.pattern;
+}
+
+/// The back of the blouse, 0.28 m² with curved armholes and neckline, without its regions.
+meshing::MeshInput blouseBack(double spacing) {
+    auto input = simulation::meshInputOf(sample("blouse"), {.spacing = spacing});
+    if (!input) std::abort();
+    std::erase_if(input->pieces, [](const auto& piece) { return piece.label != "Back"; });
+    if (input->pieces.size() != 1) std::abort();
+    input->pieces[0].regions.clear();
+    input->seams.clear();
+    return *input;
+}
+
+/// FNV-1a over the bits of all places and corners.
+std::uint64_t hashOf(const meshing::PieceMesh& mesh) {
+    std::uint64_t hash = 14695981039346656037ULL;
+    const auto add = [&](const auto& values) {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+        for (std::size_t i = 0; i < values.size() * sizeof(values[0]); ++i)
+            hash = (hash ^ bytes[i]) * 1099511628211ULL;
+    };
+    add(mesh.nodes);
+    add(mesh.display);
+    return hash;
+}
+
+double calibration() {
+    static const double seconds = calibrationSeconds();
+    return seconds;
+}
+
+void report(benchmark::State& state, const meshing::GarmentMesh& mesh, double seconds) {
+    const auto& piece = mesh.report.total;
+    state.counters["cells"] = piece.quads + piece.triangles;
+    state.counters["rectangles%"] = 100 * piece.rectangleFraction;
+    state.counters["angle°"] = piece.minimumAngle * 57.29577951308232;
+    state.counters["bytes"] = static_cast<double>(piece.bytes);
+    state.counters["calibrated"] = seconds / static_cast<double>(state.iterations()) / calibration();
+    char hash[20];
+    std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(hashOf(mesh.pieces[0])));
+    state.SetLabel(hash);
+}
+
+void meshBlouseBack(benchmark::State& state, bool cold) {
+    const meshing::MeshInput input = blouseBack(1e-6 * static_cast<double>(state.range(0)));
+    Result<meshing::GarmentMesh> mesh = meshing::meshGarment(input);
+    double seconds = 0;
+    for (auto _ : state) {
+        if (cold) {
+            mesh = Result<meshing::GarmentMesh>();
+            malloc_trim(0); // the next run takes its memory from the system anew
+        }
+        const double start = threadSeconds();
+        mesh = meshing::meshGarment(input);
+        const double used = threadSeconds() - start;
+        state.SetIterationTime(used);
+        seconds += used;
+    }
+    report(state, *mesh, seconds);
+}
+
+void blouseBackWarm(benchmark::State& state) {
+    meshBlouseBack(state, false);
+}
+
+void blouseBackCold(benchmark::State& state) {
+    meshBlouseBack(state, true);
+}
+
+/// A square of a million cells, a quarter of it at half the spacing; then its cloth.
+pattern::Pattern millionCells() {
+    pattern::Pattern pattern = sample("tablecloth");
+    pattern::Piece piece = *pattern.pieces.front();
+    Vec2 low{1e9, 1e9}, high{-1e9, -1e9};
+    for (std::size_t i = 0; i < piece.outline.edges.size(); ++i) {
+        const Vec2 p = pattern::curveOf(piece.outline, i).start;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    const Vec2 size = high - low;
+    piece.spacing = size.x / 756; // 756² · (¾ + ¼ · 4) = 1.0e6
+    pattern::Region region;
+    region.id.value = "quarter";
+    region.outline = {low, low + Vec2{size.x / 2, 0}, low + size * 0.5, low + Vec2{0, size.y / 2}};
+    region.refinement = 1;
+    piece.regions = {region};
+    pattern.pieces = {piece};
+    return pattern;
+}
+
+void millionCellsMeshed(benchmark::State& state) {
+    const auto input = simulation::meshInputOf(millionCells());
+    Result<meshing::GarmentMesh> mesh = meshing::meshGarment(*input);
+    double seconds = 0;
+    for (auto _ : state) {
+        const double start = threadSeconds();
+        mesh = meshing::meshGarment(*input);
+        state.SetIterationTime(threadSeconds() - start);
+        seconds += threadSeconds() - start;
+    }
+    report(state, *mesh, seconds);
+}
+
+template <class T>
+double bytesOf(const std::vector<T>& values) {
+    return static_cast<double>(values.size() * sizeof(T));
+}
+
+void millionCellsWithElements(benchmark::State& state) {
+    const pattern::Pattern pattern = millionCells();
+    const auto input = simulation::meshInputOf(pattern);
+    double seconds = 0, bytes = 0;
+    for (auto _ : state) {
+        const double start = threadSeconds();
+        auto mesh = meshing::meshGarment(*input);
+        const double meshBytes = static_cast<double>(mesh->report.total.bytes);
+        const auto garment =
+            simulation::makeGarment(pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), {});
+        const double used = threadSeconds() - start;
+        if (!garment) std::abort();
+        const cloth::ClothModel& model = garment->model;
+        bytes = meshBytes + bytesOf(model.mass) + bytesOf(model.structural) + bytesOf(model.shear) +
+                bytesOf(model.bending) + bytesOf(model.twist) + bytesOf(model.hinges) +
+                bytesOf(model.triangles) + bytesOf(model.cells) + bytesOf(garment->particles.particleOf);
+        state.SetIterationTime(used);
+        seconds += used;
+    }
+    state.counters["bytes"] = bytes;
+    state.counters["calibrated"] = seconds / static_cast<double>(state.iterations()) / calibration();
+}
+
+BENCHMARK(blouseBackWarm)
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime()
+    ->Arg(20000)
+    ->Arg(10000)
+    ->Arg(5000)
+    ->Arg(2000)
+    ->Arg(1000)
+    ->Arg(250)
+    ->ArgName("um");
+BENCHMARK(blouseBackCold)
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime()
+    ->Arg(20000)
+    ->Arg(10000)
+    ->Arg(5000)
+    ->Arg(2000)
+    ->Arg(1000)
+    ->Arg(250)
+    ->ArgName("um");
+BENCHMARK(millionCellsMeshed)->Unit(benchmark::kMillisecond)->UseManualTime();
+BENCHMARK(millionCellsWithElements)->Unit(benchmark::kMillisecond)->UseManualTime();
+
+} // namespace
+} // namespace toile::bench
