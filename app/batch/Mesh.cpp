@@ -54,14 +54,35 @@ Result<meshing::GarmentMesh> meshRepeatedly(const meshing::MeshInput& input, int
     return mesh;
 }
 
-void printSummary(const meshing::MeshReport& report) {
-    fmt::print("{:<28}{:>8}{:>8}{:>11}{:>8}{:>7}{:>9}\n", "piece", "nodes", "quads", "triangles", "rect %", "angle", "ms");
+void printPieces(const meshing::MeshReport& report) {
+    fmt::print("{:<28}{:>8}{:>8}{:>11}{:>8}{:>9}{:>7}{:>7}{:>7}{:>7}{:>9}\n", "piece", "nodes", "quads", "triangles", "rect %",
+               "grain %", "angle", "1 %", "5 %", "95 %", "ms");
     const auto row = [](const std::string& name, const meshing::PieceReport& piece) {
-        fmt::print("{:<28}{:>8}{:>8}{:>11}{:>8.1f}{:>7.1f}{:>9.2f}\n", name, piece.nodes, piece.quads, piece.triangles,
-                   100 * piece.rectangleFraction, piece.minimumAngle * 57.29577951308232, 1000 * piece.seconds);
+        fmt::print("{:<28}{:>8}{:>8}{:>11}{:>8.1f}{:>9.1f}{:>7.1f}{:>7}{:>7}{:>7}{:>9.2f}\n", name, piece.nodes, piece.quads,
+                   piece.triangles, 100 * piece.rectangleFraction, 100 * piece.grainAlignment,
+                   piece.minimumAngle * 57.29577951308232, meshing::angleBelow(piece, 0.01),
+                   meshing::angleBelow(piece, 0.05), meshing::angleBelow(piece, 0.95), 1000 * piece.seconds);
     };
     for (const meshing::PieceReport& piece : report.pieces) row(piece.label, piece);
     row("all", report.total);
+}
+
+/// The paper's three conditions: equal lengths but for the ease, equal counts, equal unit lengths.
+void printSeams(const meshing::MeshReport& report) {
+    if (report.seams.empty()) return;
+    fmt::print("\n{:<28}{:>9}{:>19}{:>9}{:>9}   {}\n", "seam", "points", "lengths mm", "ease mm", "unit %", "alike");
+    for (const meshing::SeamReport& seam : report.seams) {
+        const meshing::SewnAlike alike = meshing::sewnAlike(seam);
+        fmt::print("{:<28}{:>9}{:>19}{:>9.1f}{:>9.2f}   {}{}{}\n", seam.label, fmt::format("{}={}", seam.countA, seam.countB),
+                   fmt::format("{:.1f}/{:.1f}", 1e3 * seam.lengthA, 1e3 * seam.lengthB), 1e3 * seam.ease,
+                   100 * seam.largestSpacingMismatch, alike.length ? "length " : "", alike.count ? "count " : "",
+                   alike.unit ? "unit" : "");
+    }
+}
+
+void printSummary(const meshing::MeshReport& report) {
+    printPieces(report);
+    printSeams(report);
     for (const Warning& warning : report.warnings) fmt::print(stderr, "{}: {}\n", warning.place, warning.text);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/MeshJson.h"
 
+#include <fmt/format.h>
 #include <numbers>
 
 namespace toile::batch {
@@ -21,6 +22,10 @@ Json pieceJson(const meshing::PieceReport& piece) {
     json.set("rectangles", piece.rectangles).set("rectangleFraction", piece.rectangleFraction);
     json.set("minimumAngleDegrees", piece.minimumAngle * degrees).set("maximumAngleDegrees", piece.maximumAngle * degrees);
     json.set("inputMinimumAngleDegrees", piece.inputMinimumAngle * degrees).set("maximumAspect", piece.maximumAspect);
+    Json percentiles;
+    for (const int part : {1, 5, 50, 95, 99}) percentiles.set(fmt::format("p{}", part), meshing::angleBelow(piece, 0.01 * part));
+    json.set("anglePercentilesDegrees", percentiles).set("neighbourSizeRatio", piece.neighbourSizeRatio);
+    json.set("grainAlignment", piece.grainAlignment);
     json.set("areaRelativeError", piece.areaRelativeError).set("boundaryDeviation", piece.boundaryDeviation);
     json.set("invertedCells", piece.invertedCells).set("missingBoundaryNodes", piece.missingBoundaryNodes);
     json.set("nonManifoldEdges", piece.nonManifoldEdges).set("seconds", piece.seconds).set("bytes", piece.bytes);
@@ -33,7 +38,9 @@ Json seamJson(const meshing::SeamReport& seam) {
     Json json;
     json.set("name", seam.label).set("countA", seam.countA).set("countB", seam.countB);
     json.set("lengthA", seam.lengthA).set("lengthB", seam.lengthB).set("ease", seam.ease);
-    return json.set("largestSpacingMismatch", seam.largestSpacingMismatch);
+    const meshing::SewnAlike alike = meshing::sewnAlike(seam);
+    json.set("largestSpacingMismatch", seam.largestSpacingMismatch);
+    return json.set("equalLength", alike.length).set("equalCount", alike.count).set("equalUnitLength", alike.unit);
 }
 
 } // namespace

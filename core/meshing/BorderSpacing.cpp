@@ -34,6 +34,15 @@ double loopArea(const BoundaryLoop& loop) {
     return std::abs(0.5 * doubled);
 }
 
+double distanceToChords(const EdgeNodes& list, const BoundaryNodes& nodes, Vec2 point) {
+    double least = distance(nodes.points[at(list.front().node)], point);
+    for (std::size_t k = 0; k + 1 < list.size() && least > 0; ++k)
+        least = std::min(
+            least, distance(point, geometry::closestOnSegment(nodes.points[at(list[k].node)],
+                                                              nodes.points[at(list[k + 1].node)], point)));
+    return least;
+}
+
 } // namespace
 
 double finestSpacingAlong(const PieceInput& piece, const PieceBoundary& boundary, const Lattice& lattice,
@@ -82,9 +91,14 @@ double boundaryDeviation(const PieceInput& piece, const PieceBoundary& boundary,
     double worst = 0;
     for (int loop = 0; loop < loopCount(piece); ++loop)
         for (std::size_t e = 0; e < loopOf(piece, loop).size(); ++e) {
-            if (std::holds_alternative<geometry::LineShape>(loopOf(piece, loop)[e].curve.shape)) continue;
             const EdgeNodes& list = nodes.loops[at(loop)][e];
             const EdgeArc& arc = boundary.loops[at(loop)].edges[e];
+            const Curve& curve = loopOf(piece, loop)[e].curve;
+            if (std::holds_alternative<geometry::LineShape>(curve.shape)) { // its ends may be passed over
+                for (const Vec2 end : {curve.start, curve.end})
+                    worst = std::max(worst, distanceToChords(list, nodes, end));
+                continue;
+            }
             for (std::size_t k = 0; k + 1 < list.size() && !arc.collapsed; ++k)
                 for (const double part : {0.25, 0.5, 0.75}) {
                     const Vec2 on =

@@ -19,19 +19,65 @@ struct HalfEdge {
 
 class Collector {
 public:
-    Collector(const BoundaryNodes& boundary, const Lattice& lattice, const GridFill& fill, CellMesh& mesh)
-        : boundary_(boundary), lattice_(lattice), fill_(fill), mesh_(mesh) {}
+    Collector(const BoundaryNodes& boundary, const Lattice& lattice, const GridFill& fill, CellLayer& layer)
+        : boundary_(boundary), lattice_(lattice), fill_(fill), layer_(layer) {}
 
     void run() {
-        for (int row = 0; row < lattice_.rows(); ++row)
-            for (int column = 0; column < lattice_.columns(); ++column)
-                for (int u = lattice_.activeDivision(column, row), b = 0; b < u; ++b)
-                    for (int a = 0; a < u; ++a)
-                        if (filled(column, row, a, b)) addCell(column, row, a, b, u);
+        layer_.held.assign(boundary_.points.size() + fill_.inner.size(), 0);
+        if (lattice_.isUniform())
+            collectUniform();
+        else
+            collectDivided();
         addWalls();
+        listStripNodes();
     }
 
 private:
+    void collectDivided() {
+        for (int row = 0; row < lattice_.rows(); ++row)
+            for (int column = 0; column < lattice_.columns(); ++column) {
+                const int u = lattice_.activeDivision(column, row);
+                if (u == 0) continue;
+                const bool finerBeside =
+                    lattice_.horizontalDivision(column, row) > u || lattice_.horizontalDivision(column, row + 1) > u ||
+                    lattice_.verticalDivision(column, row) > u || lattice_.verticalDivision(column + 1, row) > u;
+                for (int b = 0; b < u; ++b)
+                    for (int a = 0; a < u; ++a)
+                        if (filled(column, row, a, b)) addCell(column, row, a, b, u, finerBeside);
+            }
+    }
+
+    /// The same without divisions: nothing hangs, and cells and nodes lie in rows.
+    void collectUniform() {
+        const int columns = lattice_.columns(), rows = lattice_.rows();
+        const std::size_t width = at(columns + 2);
+        std::vector<char> full(width * at(rows + 2), 0);
+        for (int row = 0; row < rows; ++row)
+            for (int column = 0; column < columns; ++column)
+                if (lattice_.active[at(lattice_.cell(column, row))])
+                    full[at(row + 1) * width + at(column + 1)] =
+                        fill_.filled[at(lattice_.firstCell(column, row))];
+        layer_.cells.reserve(at(static_cast<int>(std::count(full.begin(), full.end(), char{1}))));
+        for (int row = 0; row < rows; ++row) {
+            const int* below = fill_.node.data() + at(row * (columns + 1));
+            const int* above = below + columns + 1;
+            for (int column = 0; column < columns; ++column) {
+                const char* here = full.data() + at(row + 1) * width + at(column + 1);
+                if (!*here) continue;
+                const int main = lattice_.cell(column, row);
+                const Cell& cell = layer_.cells.emplace_back(
+                    Cell{{below[column], below[column + 1], above[column + 1], above[column]},
+                         lattice_.region[at(main)],
+                         lattice_.firstCell(column, row)});
+                for (const int corner : cell.corners) layer_.held[at(corner)] = 1;
+                if (!here[-static_cast<std::ptrdiff_t>(width)]) addSide(cell, 0);
+                if (!here[1]) addSide(cell, 1);
+                if (!here[width]) addSide(cell, 2);
+                if (!here[-1]) addSide(cell, 3);
+            }
+        }
+    }
+
     [[nodiscard]] bool filled(int column, int row, int a, int b) const {
         return fill_.filled[at(lattice_.firstCell(column, row) + b * lattice_.divisionOf(column, row) + a)];
     }
@@ -40,21 +86,32 @@ private:
         return fill_.node[at(lattice_.nodeAt(column, row, a, b))];
     }
 
-    void addCell(int column, int row, int a, int b, int u) {
+    void addCell(int column, int row, int a, int b, int u, bool finerBeside) {
         Cell cell{{nodeAt(column, row, a, b), nodeAt(column, row, a + 1, b),
                    nodeAt(column, row, a + 1, b + 1), nodeAt(column, row, a, b + 1)},
-                  {},
                   lattice_.region[at(lattice_.cell(column, row))],
                   lattice_.firstCell(column, row) + b * u + a};
-        if (b == 0) cell.hanging[0] = between(true, column, row, a, u);
-        if (a + 1 == u) cell.hanging[1] = between(false, column + 1, row, b, u);
-        if (b + 1 == u) cell.hanging[2] = reversed(between(true, column, row + 1, a, u));
-        if (a == 0) cell.hanging[3] = reversed(between(false, column, row, b, u));
+        if (finerBeside) addHanging(column, row, a, b, u, cell);
+        for (const int corner : cell.corners) layer_.held[at(corner)] = 1;
         const std::array<bool, 4> shared{twin(column, row, a, b - 1, u), twin(column, row, a + 1, b, u),
                                          twin(column, row, a, b + 1, u), twin(column, row, a - 1, b, u)};
         for (int side = 0; side < 4; ++side)
             if (!shared[at(side)]) addSide(cell, side);
-        mesh_.cells.push_back(std::move(cell));
+        layer_.cells.push_back(cell);
+    }
+
+    void addHanging(int column, int row, int a, int b, int u, Cell& cell) {
+        HangingNodes hanging;
+        if (b == 0) hanging[0] = between(true, column, row, a, u);
+        if (a + 1 == u) hanging[1] = between(false, column + 1, row, b, u);
+        if (b + 1 == u) hanging[2] = reversed(between(true, column, row + 1, a, u));
+        if (a == 0) hanging[3] = reversed(between(false, column, row, b, u));
+        if (std::all_of(hanging.begin(), hanging.end(), [](const auto& side) { return side.empty(); }))
+            return;
+        for (const auto& side : hanging)
+            for (const int node : side) layer_.held[at(node)] = 1;
+        cell.hanging = static_cast<int>(layer_.hanging.size());
+        layer_.hanging.push_back(std::move(hanging));
     }
 
     static std::vector<int> reversed(std::vector<int> nodes) {
@@ -77,6 +134,7 @@ private:
 
     /// The cell beside is filled and of the same division, so that the whole side is shared.
     [[nodiscard]] bool twin(int column, int row, int a, int b, int u) const {
+        if (a >= 0 && b >= 0 && a < u && b < u) return filled(column, row, a, b);
         if (a < 0)
             --column, a = u - 1;
         else if (a == u)
@@ -94,7 +152,7 @@ private:
             open_.push_back({std::min(from, to), std::max(from, to), from < to});
             from = to;
         };
-        for (const int node : cell.hanging[at(side)]) add(node);
+        for (const int node : hangingOn(layer_, cell, at(side))) add(node);
         add(cell.corners[at((side + 1) % 4)]);
     }
 
@@ -106,62 +164,77 @@ private:
             return std::binary_search(open_.begin(), open_.end(),
                                       HalfEdge{std::min(from, to), std::max(from, to), from < to});
         };
+        const int boundaryCount = static_cast<int>(boundary_.grid.size());
         std::vector<int> after(boundary_.grid.size(), -1);
         for (const auto& ring : boundary_.rings)
             for (std::size_t i = 0; i < ring.size(); ++i) {
                 const int a = ring[i], b = ring[(i + 1) % ring.size()];
                 after[at(a)] = b;
-                if (!isSide(a, b)) mesh_.walls.push_back({a, b, true});
+                if (!isSide(a, b)) layer_.walls.push_back({a, b, true});
             }
         for (const HalfEdge& edge : open_) {
             const int from = edge.rising ? edge.low : edge.high, to = edge.rising ? edge.high : edge.low;
             if (isSide(to, from)) continue;
-            if (from < mesh_.boundaryCount && after[at(from)] == to) continue;
-            mesh_.walls.push_back({to, from, true});
+            if (from < boundaryCount && after[at(from)] == to) continue;
+            layer_.walls.push_back({to, from, true});
         }
+    }
+
+    void listStripNodes() {
+        std::vector<char> enclosed = layer_.held; // of cells and of no wall: nothing to do there
+        for (const Constraint& wall : layer_.walls) enclosed[at(wall.from)] = enclosed[at(wall.to)] = 0;
+        for (std::size_t node = 0; node < enclosed.size(); ++node)
+            if (!enclosed[node]) layer_.stripNodes.push_back(static_cast<int>(node));
     }
 
     const BoundaryNodes& boundary_;
     const Lattice& lattice_;
     const GridFill& fill_;
-    CellMesh& mesh_;
+    CellLayer& layer_;
     std::vector<HalfEdge> open_;
 };
 
 } // namespace
 
+std::span<const int> hangingOn(const CellLayer& layer, const Cell& cell, std::size_t side) {
+    if (cell.hanging < 0) return {};
+    return layer.hanging[at(cell.hanging)][side];
+}
+
+CellLayer cellLayer(const BoundaryNodes& boundary, const Lattice& lattice, const GridFill& fill) {
+    CellLayer layer;
+    Collector(boundary, lattice, fill, layer).run();
+    return layer;
+}
+
 CellMesh cellMesh(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice,
                   const GridFill& fill) {
     CellMesh mesh;
     mesh.boundaryCount = static_cast<int>(boundary.points.size());
+    mesh.position.reserve(boundary.points.size() + fill.inner.size());
+    mesh.grid.reserve(boundary.points.size() + fill.inner.size());
     for (const Vec2 point : boundary.points) mesh.position.push_back(frame.frameOf(point));
     for (const auto& [node, place] : fill.aligned) mesh.position[at(node)] = place;
     mesh.position.insert(mesh.position.end(), fill.inner.begin(), fill.inner.end());
     mesh.grid = boundary.grid;
     mesh.grid.insert(mesh.grid.end(), fill.innerGrid.begin(), fill.innerGrid.end());
-    Collector(boundary, lattice, fill, mesh).run();
+    mesh.layer = cellLayer(boundary, lattice, fill);
     return mesh;
 }
 
 void triangulateStrip(const Lattice& lattice, CellMesh& mesh) {
-    std::vector<char> enclosed(mesh.grid.size(), 0); // a corner of cells and of no wall: nothing to do there
-    for (const Cell& cell : mesh.cells) {
-        for (const int corner : cell.corners) enclosed[at(corner)] = 1;
-        for (const auto& side : cell.hanging)
-            for (const int node : side) enclosed[at(node)] = 1;
-    }
-    for (const Constraint& wall : mesh.walls) enclosed[at(wall.from)] = enclosed[at(wall.to)] = 0;
-    std::vector<int> stripNodes, local(mesh.grid.size(), -1);
+    const std::vector<int>& stripNodes = mesh.layer.stripNodes;
     std::vector<GridPoint> points;
-    for (std::size_t node = 0; node < mesh.grid.size(); ++node)
-        if (!enclosed[node]) {
-            local[node] = static_cast<int>(points.size());
-            points.push_back(mesh.grid[node]);
-            stripNodes.push_back(static_cast<int>(node));
-        }
+    points.reserve(stripNodes.size());
+    for (const int node : stripNodes) points.push_back(mesh.grid[at(node)]);
+    const auto local = [&](int node) {
+        return static_cast<int>(std::lower_bound(stripNodes.begin(), stripNodes.end(), node) -
+                                stripNodes.begin());
+    };
     std::vector<Constraint> walls;
-    for (const Constraint& wall : mesh.walls)
-        walls.push_back({local[at(wall.from)], local[at(wall.to)], wall.fillLeft});
+    walls.reserve(mesh.layer.walls.size());
+    for (const Constraint& wall : mesh.layer.walls)
+        walls.push_back({local(wall.from), local(wall.to), wall.fillLeft});
     mesh.triangles.clear();
     for (const auto& corners : constrainedDelaunay(points, walls)) {
         Triangle triangle;

@@ -63,19 +63,20 @@ double smallestAngle(Vec2 a, Vec2 b, Vec2 c) {
     return std::min({angleAt(a, b, c), angleAt(b, c, a), angleAt(c, a, b)});
 }
 
-void appendCellTriangles(const std::vector<Vec2>& position, const Cell& cell,
-                         std::vector<std::array<int, 3>>& triangles) {
-    std::vector<int> polygon;
-    for (std::size_t side = 0; side < 4; ++side) {
-        polygon.push_back(cell.corners[side]);
-        polygon.insert(polygon.end(), cell.hanging[side].begin(), cell.hanging[side].end());
-    }
-    if (polygon.size() == 4) {
-        triangles.push_back({polygon[0], polygon[1], polygon[2]});
-        triangles.push_back({polygon[0], polygon[2], polygon[3]});
+void appendCellTriangles(const CellMesh& mesh, const Cell& cell, std::vector<std::array<int, 3>>& triangles) {
+    const auto& c = cell.corners;
+    if (cell.hanging < 0) {
+        triangles.push_back({c[0], c[1], c[2]});
+        triangles.push_back({c[0], c[2], c[3]});
         return;
     }
-    PolygonTriangulation(position, polygon).append(0, static_cast<int>(polygon.size()) - 1, triangles);
+    std::vector<int> polygon;
+    for (std::size_t side = 0; side < 4; ++side) {
+        polygon.push_back(c[side]);
+        const auto hanging = hangingOn(mesh.layer, cell, side);
+        polygon.insert(polygon.end(), hanging.begin(), hanging.end());
+    }
+    PolygonTriangulation(mesh.position, polygon).append(0, static_cast<int>(polygon.size()) - 1, triangles);
 }
 
 } // namespace toile::meshing

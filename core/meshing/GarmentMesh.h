@@ -74,21 +74,38 @@ struct PieceReport {
     int nodes = 0, slaves = 0, quads = 0, triangles = 0, rectangles = 0; ///< of the displayed mesh
     double rectangleFraction = 0;
     double minimumAngle = 0, maximumAngle = 0, inputMinimumAngle = 0; ///< [rad]
+    std::array<int, 181> angles{}; ///< corners of displayed elements by angle in whole degrees, rounded down
     double maximumAspect = 0;
+    double neighbourSizeRatio = 0; ///< largest ratio of √area of displayed triangles that share a side [–]
+    double sideLength = 0;         ///< of the sides of all displayed elements [m]
+    double grainAlignment = 0;     ///< the share of it within 2° of warp or weft [–]
     double areaRelativeError = 0;
     double boundaryDeviation = 0; ///< [m]
     int invertedCells = 0, missingBoundaryNodes = 0, nonManifoldEdges = 0;
-    double seconds = 0;
+    double seconds = 0; ///< of meshing, without the measuring for this report
     std::size_t bytes = 0;
     std::vector<RegionReport> regions;
 };
 
+/// The angle that this part [–] of all corners lies below, in whole degrees.
+[[nodiscard]] int angleBelow(const PieceReport& report, double part);
+
 struct SeamReport {
     std::string label;
-    int countA = 0, countB = 0;
+    int countA = 0, countB = 0; ///< sewing points of each side
     double lengthA = 0, lengthB = 0, ease = 0; ///< ease as declared [m]
     double largestSpacingMismatch = 0;         ///< largest |a − b| / max(a, b) of two sewn stretches [–]
 };
+
+/// The three conditions of Liu 2002 for two edges that are sewn: equal lengths, equal numbers of sewing points, equal
+/// unit lengths.
+struct SewnAlike {
+    bool length = false; ///< but for the declared ease, within max(1 mm, 0.3 %)
+    bool count = false;
+    bool unit = false; ///< every two sewn stretches differ by no more than the lengths of both sides, and 2 % for chords
+};
+
+[[nodiscard]] SewnAlike sewnAlike(const SeamReport& seam);
 
 struct MeshReport {
     std::vector<PieceReport> pieces;
@@ -104,7 +121,11 @@ struct GarmentMesh {
     MeshReport report;
 };
 
+struct MeshSettings {
+    bool judged = true; ///< measure angles, areas and topology for the report; a preview only needs the counts
+};
+
 /// Meshes all pieces, seams first. Errors name piece, edge and point.
-[[nodiscard]] Result<GarmentMesh> meshGarment(const MeshInput& input);
+[[nodiscard]] Result<GarmentMesh> meshGarment(const MeshInput& input, const MeshSettings& settings = {});
 
 } // namespace toile::meshing

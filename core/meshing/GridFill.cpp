@@ -78,6 +78,20 @@ bool insideAt(const std::vector<std::int64_t>& firstRight, std::int64_t x) {
     return (std::upper_bound(firstRight.begin(), firstRight.end(), x) - firstRight.begin()) % 2 == 1;
 }
 
+/// Tells for rising x whether it lies inside.
+class InsideSweep {
+public:
+    explicit InsideSweep(const std::vector<std::int64_t>& firstRight) : firstRight_(firstRight) {}
+    bool operator()(std::int64_t x) {
+        while (passed_ < firstRight_.size() && firstRight_[passed_] <= x) ++passed_;
+        return passed_ % 2 == 1;
+    }
+
+private:
+    const std::vector<std::int64_t>& firstRight_;
+    std::size_t passed_ = 0;
+};
+
 class Filler {
 public:
     Filler(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice)
@@ -108,6 +122,8 @@ private:
         fill_.at.assign(at(lattice_.nodeCount()), {});
         coarsest_.assign(at(lattice_.nodeCount()), 0);
         position_.assign(at(lattice_.nodeCount()), {});
+        kept_.assign(at(lattice_.nodeCount()), 0);
+        if (lattice_.isUniform()) return placeCorners();
         forEachActiveCell([&](int column, int row, int u) {
             for (int b = 0; b <= u; ++b)
                 for (int a = 0; a <= u; ++a) {
@@ -120,10 +136,41 @@ private:
                     coarsest_[node] = std::min(coarsest_[node], u);
                 }
         });
-        kept_.assign(at(lattice_.nodeCount()), 0);
+    }
+
+    /// The same when no main cell is divided: nodes lie in rows.
+    void placeCorners() {
+        for (int row = 0; row < lattice_.rows(); ++row)
+            for (int column = 0; column < lattice_.columns(); ++column) {
+                if (!lattice_.active[at(lattice_.cell(column, row))]) continue;
+                int* low = coarsest_.data() + lattice_.nodeAt(column, row, 0, 0);
+                int* high = low + lattice_.columns() + 1;
+                low[0] = low[1] = high[0] = high[1] = 1;
+            }
+        std::size_t node = 0;
+        for (std::size_t row = 0; row < lines_.y.size(); ++row)
+            for (std::size_t column = 0; column < lines_.x.size(); ++column, ++node) {
+                if (coarsest_[node] == 0) continue;
+                position_[node] = {lattice_.mainX()[column], lattice_.mainY()[row]};
+                fill_.at[node] = {lines_.x[column], lines_.y[row]};
+            }
+    }
+
+    void markCorners() {
+        std::vector<std::int64_t> crossings;
+        std::size_t node = 0;
+        for (std::size_t row = 0; row < lines_.y.size(); ++row) {
+            crossingsOf(lines_.y[row], byRow_[row], segments_, crossings);
+            InsideSweep inside(crossings);
+            for (const std::int32_t x : lines_.x) {
+                kept_[node] = inside(x) && coarsest_[node] > 0;
+                ++node;
+            }
+        }
     }
 
     void markInside() {
+        if (lattice_.isUniform()) return markCorners();
         std::vector<std::int64_t> crossings;
         for (int row = 0; row < lattice_.rows(); ++row) {
             int finest = 1;
@@ -309,6 +356,7 @@ private:
     void fillCells() {
         ringNeighbours();
         fill_.filled.assign(at(lattice_.cellCount()), 0);
+        if (lattice_.isUniform()) return fillUniform();
         forEachActiveCell([&](int column, int row, int u) {
             for (int b = 0; b < u; ++b)
                 for (int a = 0; a < u; ++a) {
@@ -316,6 +364,21 @@ private:
                     fill_.filled[cell] = !blocked_[cell] && isFilled(cornersOf(column, row, a, b));
                 }
         });
+    }
+
+    void fillUniform() {
+        const int* node = fill_.node.data();
+        const int width = lattice_.columns() + 1;
+        std::size_t cell = 0;
+        for (int row = 0; row < lattice_.rows(); ++row)
+            for (int column = 0; column < lattice_.columns(); ++column) {
+                if (!lattice_.active[at(lattice_.cell(column, row))]) continue;
+                const int low = row * width + column, high = low + width;
+                const bool used =
+                    (node[low] | node[low + 1] | node[high] | node[high + 1]) >= 0; // no sign bit is set
+                fill_.filled[cell] = used && !blocked_[cell] && isFilled({low, low + 1, high + 1, high});
+                ++cell;
+            }
     }
 
     void ringNeighbours() {
@@ -370,14 +433,16 @@ void markActiveCells(const PieceFrame& frame, const std::vector<std::vector<Grid
     std::vector<Segment> segments;
     for (const RingSegment& s : segmentsOf(rings)) segments.push_back({s.a, s.b, 0, 0});
     const std::vector<std::vector<int>> byRow = segmentsByRow(segments, lines);
+    std::vector<std::int32_t> middles;
+    for (std::size_t column = 0; column + 1 < lines.x.size(); ++column)
+        middles.push_back(lines.x[column] + (lines.x[column + 1] - lines.x[column]) / 2);
     std::vector<std::int64_t> crossings;
+    std::size_t cell = 0;
     for (int row = 0; row < lattice.rows(); ++row) {
         const std::int32_t middle = lines.y[at(row)] + (lines.y[at(row) + 1] - lines.y[at(row)]) / 2;
         crossingsOf(middle, byRow[at(row)], segments, crossings);
-        for (int column = 0; column < lattice.columns(); ++column) {
-            const std::int32_t x = lines.x[at(column)] + (lines.x[at(column) + 1] - lines.x[at(column)]) / 2;
-            lattice.active[at(lattice.cell(column, row))] = insideAt(crossings, x);
-        }
+        InsideSweep inside(crossings);
+        for (const std::int32_t x : middles) lattice.active[cell++] = inside(x);
     }
     for (const Segment& segment : segments) {
         const auto [lowX, highX] = std::minmax(segment.a.x, segment.b.x);

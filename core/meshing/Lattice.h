@@ -49,6 +49,7 @@ public:
 
     /// Numbers the nodes; call when `division` and `active` are final.
     void numberNodes();
+    [[nodiscard]] bool isUniform() const { return uniform_; } ///< no main cell is divided
     [[nodiscard]] int nodeCount() const { return nodeCount_; }
     /// Node (a, b) of the u × u division of a main cell, 0 ≤ a, b ≤ u.
     [[nodiscard]] int nodeAt(int column, int row, int a, int b) const;

@@ -21,7 +21,9 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-constexpr int mostRefinements = 24; ///< doublings of the border before we give up
+/// Doubling where parts of the border run too near one another ends at so many nodes of a piece, and so many
+/// times those it began with.
+constexpr std::size_t mostBorderNodes = 100000, mostTimesNodes = 16;
 
 /// Doubles each stretch once, however many of its segments are too coarse.
 void refineOnce(const std::vector<BoundarySpot>& spots, int piece, BoundaryDivision& division) {
@@ -43,15 +45,17 @@ Result<BoundaryDivision> dividedBorders(const MeshInput& input, const std::vecto
                                         const SpacingAlong& spacing, std::vector<BoundaryNodes>& nodes) {
     auto division = BoundaryDivision::create(input, boundaries, seams, points, spacing);
     if (!division) return division;
-    for (int round = 0;; ++round) {
+    std::vector<std::size_t> firstCounts;
+    for (;;) {
         bool coarse = false;
         nodes.clear();
         for (std::size_t p = 0; p < input.pieces.size(); ++p) {
             nodes.push_back(boundaryNodes(input.pieces[p], static_cast<int>(p), boundaries[p], *division));
+            if (firstCounts.size() <= p) firstCounts.push_back(nodes.back().points.size());
             std::vector<BoundarySpot> spots = spotsTooCoarse(nodes.back());
             if (spots.empty()) continue;
             coarse = true;
-            if (round == mostRefinements)
+            if (nodes.back().points.size() > std::max(mostBorderNodes, mostTimesNodes * firstCounts[p]))
                 return fail(ErrorCode::invalidInput,
                             "Two parts of the border run too near one another to be divided into nodes.",
                             {.object = nameOf(input.pieces[p], spots.front().loop, spots.front().edge)});
@@ -108,10 +112,22 @@ double largestSpacingMismatch(const SeamNodes& nodes, const std::vector<PieceMes
     return largest;
 }
 
+/// One more than the parts between sewing points; a joint of two pieces is one point.
+int sewingPoints(const SeamChain& side, const BoundaryDivision& division) {
+    int points = 1;
+    for (const ChainPart& part : side.parts)
+        for (const Stretch& stretch : division.stretches(part.part.piece, part.part.loop, part.part.edge)) {
+            const double middle = 0.5 * (stretch.from + stretch.to);
+            if (middle >= part.part.from && middle <= part.part.to) points += division.count(stretch);
+        }
+    return points;
+}
+
 SeamReport reportOf(const SeamInput& input, const CheckedSeam& seam, const SeamNodes& nodes,
-                    const std::vector<PieceMesh>& pieces) {
+                    const BoundaryDivision& division, const std::vector<PieceMesh>& pieces) {
     SeamReport report{input.label, 0, 0, seam.sides[0].length, seam.sides[1].length, seam.ease, 0};
-    report.countA = report.countB = static_cast<int>(nodes.pairs.size());
+    report.countA = sewingPoints(seam.sides[0], division);
+    report.countB = sewingPoints(seam.sides[1], division);
     report.largestSpacingMismatch = largestSpacingMismatch(nodes, pieces);
     return report;
 }
@@ -164,20 +180,29 @@ Result<PieceMesh> meshedPiece(const PieceInput& piece, int pieceIndex, const Pie
     return finishedPiece(boundary.frame, nodes, cells).mesh;
 }
 
-PieceReport reportOf(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes,
-                     const PieceMesh& mesh) {
-    PieceReport report = qualityOf(mesh);
-    report.label = piece.label;
+/// What only the input can say of a mesh.
+void judgeAgainstInput(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes,
+                       const PieceMesh& mesh, PieceReport& report) {
     const double exact = exactArea(piece);
     report.areaRelativeError = std::abs(meshedArea(mesh) - exact) / exact;
     report.boundaryDeviation = boundaryDeviation(piece, boundary, nodes);
     report.inputMinimumAngle = smallestBorderAngle(nodes);
-    return report;
 }
 
 } // namespace
 
-Result<GarmentMesh> meshGarment(const MeshInput& input) {
+SewnAlike sewnAlike(const SeamReport& seam) {
+    constexpr double chords = 0.02; // a curve's chord falls short of its arc by s²/24R²: 1.7 % at s = 0.64 R
+    const double longer = std::max(seam.lengthA, seam.lengthB);
+    const double rest = std::abs(seam.lengthA - seam.lengthB - seam.ease);
+    SewnAlike alike;
+    alike.length = rest <= std::max(1e-3, 3e-3 * longer);
+    alike.count = seam.countA == seam.countB;
+    alike.unit = seam.largestSpacingMismatch <= std::abs(seam.lengthA - seam.lengthB) / longer + chords;
+    return alike;
+}
+
+Result<GarmentMesh> meshGarment(const MeshInput& input, const MeshSettings& settings) {
     const int pieceCount = static_cast<int>(input.pieces.size());
     GarmentMesh garment;
     garment.report.pieces.resize(input.pieces.size());
@@ -233,10 +258,13 @@ Result<GarmentMesh> meshGarment(const MeshInput& input) {
         const std::size_t i = at(p);
         meshes[i] = meshedPiece(input.pieces[i], p, boundaries[i], nodes[i], *division, *lattices[i]);
         if (!meshes[i]) return;
-        PieceReport& report = garment.report.pieces[i] =
-            reportOf(input.pieces[i], boundaries[i], nodes[i], *meshes[i]);
+        PieceReport& report = garment.report.pieces[i] = countsOf(*meshes[i]);
+        report.label = input.pieces[i].label;
         report.regions = std::move(regions[i]);
         report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        if (!settings.judged) return;
+        judge(*meshes[i], report);
+        judgeAgainstInput(input.pieces[i], boundaries[i], nodes[i], *meshes[i], report);
     });
     for (auto& mesh : meshes) {
         if (!mesh) return tl::unexpected(mesh.error());
@@ -246,7 +274,7 @@ Result<GarmentMesh> meshGarment(const MeshInput& input) {
     for (std::size_t s = 0; s < seams.size(); ++s) {
         garment.seams.push_back(nodesOf(seams[s], *division, garment.pieces));
         garment.report.seams.push_back(
-            reportOf(input.seams[s], seams[s], garment.seams.back(), garment.pieces));
+            reportOf(input.seams[s], seams[s], garment.seams.back(), *division, garment.pieces));
     }
     return garment;
 }

@@ -5,8 +5,11 @@
 
 namespace toile::meshing {
 
-/// Counts, angles, shapes and topology of a mesh; what depends on its input is added by whoever knows it.
-[[nodiscard]] PieceReport qualityOf(const PieceMesh& mesh);
+/// Counts of a mesh.
+[[nodiscard]] PieceReport countsOf(const PieceMesh& mesh);
+
+/// Adds angles, shapes and topology; what depends on the mesh's input is added by whoever knows it.
+void judge(const PieceMesh& mesh, PieceReport& report);
 
 [[nodiscard]] double meshedArea(const PieceMesh& mesh); ///< [m²]
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace toile::meshing {
 namespace {
@@ -42,19 +43,17 @@ public:
     void run() {
         triangulateStrip(lattice_, mesh_);
         std::vector<int> bad = badTriangles();
-        CellMesh best = mesh_;
-        Grade bestGrade = grade_;
+        if (bad.empty()) return;
+        keepAsBest();
         for (int pass = 0; pass < settings_.passes && !bad.empty(); ++pass) {
             const bool moved = moveNodesOf(bad);
             const bool freed = (pass % 2 == 1 || !moved) && freeNodesOf(bad);
             if (!moved && !freed) break;
             triangulateStrip(lattice_, mesh_);
             bad = badTriangles();
-            if (!grade_.betterThan(bestGrade)) continue;
-            bestGrade = grade_;
-            best = mesh_;
+            if (grade_.betterThan(best_.grade)) keepAsBest();
         }
-        mesh_ = std::move(best);
+        restoreBest();
     }
 
 private:
@@ -77,29 +76,61 @@ private:
         return smallest;
     }
 
-    /// Grades the strip and lists what is below the wanted angle; collects who touches whom.
+    void keepAsBest() {
+        best_ = {grade_, mesh_.triangles, {}, {}};
+        for (const int node : mesh_.layer.stripNodes)
+            if (node >= mesh_.boundaryCount) best_.places.emplace_back(node, mesh_.grid[at(node)]);
+    }
+
+    void restoreBest() {
+        for (const int node : mesh_.layer.stripNodes) // also those that were cells' corners in the best mesh
+            if (node >= mesh_.boundaryCount) place(node, fill_.innerGrid[at(node - mesh_.boundaryCount)]);
+        if (best_.layer) mesh_.layer = std::move(*best_.layer);
+        for (const auto& [node, at] : best_.places) place(node, at);
+        mesh_.triangles = std::move(best_.triangles);
+    }
+
+    /// Sets a node that is the strip's own; on its lattice place it has the lattice's coordinates.
+    void place(int node, GridPoint grid) {
+        const std::size_t inner = at(node - mesh_.boundaryCount);
+        mesh_.grid[at(node)] = grid;
+        mesh_.position[at(node)] = grid == fill_.innerGrid[inner] ? fill_.inner[inner] : frame_.placeOf(grid);
+    }
+
+    /// Grades the strip and lists what is below the wanted angle; collects the triangles of each strip node.
     std::vector<int> badTriangles() {
         std::vector<int> bad;
         grade_ = {};
-        star_.assign(mesh_.grid.size(), {});
+        firstOfStar_.assign(mesh_.layer.stripNodes.size() + 1, 0);
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-            for (const int node : mesh_.triangles[t].nodes) star_[at(node)].push_back(static_cast<int>(t));
+            for (const int node : mesh_.triangles[t].nodes) ++firstOfStar_[stripIndex(node) + 1];
             const double angle = freeAngle(mesh_.triangles[t].nodes);
             grade_.smallest = std::min(grade_.smallest, angle);
             if (angle < wanted_) bad.push_back(static_cast<int>(t));
         }
         grade_.bad = static_cast<int>(bad.size());
-        cellsAt_.assign(mesh_.grid.size(), {});
-        for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
-            for (const int node : mesh_.cells[c].corners) cellsAt_[at(node)].push_back(static_cast<int>(c));
-            for (const auto& side : mesh_.cells[c].hanging)
-                for (const int node : side) cellsAt_[at(node)].push_back(static_cast<int>(c));
-        }
+        for (std::size_t i = 1; i < firstOfStar_.size(); ++i) firstOfStar_[i] += firstOfStar_[i - 1];
+        stars_.resize(3 * mesh_.triangles.size());
+        std::vector<std::size_t> next(firstOfStar_.begin(), firstOfStar_.end() - 1);
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+            for (const int node : mesh_.triangles[t].nodes)
+                stars_[next[stripIndex(node)]++] = static_cast<int>(t);
         return bad;
     }
 
+    [[nodiscard]] std::size_t stripIndex(int node) const {
+        const auto& nodes = mesh_.layer.stripNodes;
+        return static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
+    }
+
+    /// The triangles at a strip node.
+    [[nodiscard]] std::span<const int> star(int node) const {
+        const std::size_t i = stripIndex(node);
+        return std::span(stars_).subspan(firstOfStar_[i], firstOfStar_[i + 1] - firstOfStar_[i]);
+    }
+
     [[nodiscard]] bool isFree(int node) const {
-        return node >= mesh_.boundaryCount && cellsAt_[at(node)].empty();
+        return node >= mesh_.boundaryCount && !mesh_.layer.held[at(node)];
     }
 
     bool moveNodesOf(const std::vector<int>& bad) {
@@ -108,7 +139,7 @@ private:
         std::vector<int> nodes;
         for (const int t : bad)
             for (const int node : mesh_.triangles[at(t)].nodes)
-                if (isFree(node) && star_[at(node)].size() < crowded) nodes.push_back(node);
+                if (isFree(node) && star(node).size() < crowded) nodes.push_back(node);
         std::sort(nodes.begin(), nodes.end(),
                   [&](int a, int b) { return mortonCode(point(a)) < mortonCode(point(b)); });
         nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -117,9 +148,9 @@ private:
     }
 
     /// Smallest angle of the star; negative if a triangle would turn over.
-    [[nodiscard]] double starAngle(int node) const {
+    [[nodiscard]] double starAngle(std::span<const int> triangles) const {
         double smallest = std::numbers::pi;
-        for (const int t : star_[at(node)]) {
+        for (const int t : triangles) {
             const auto& n = mesh_.triangles[at(t)].nodes;
             if (orientation(point(n[0]), point(n[1]), point(n[2])) <= 0) return -1;
             smallest = std::min(smallest, freeAngle(n));
@@ -130,9 +161,10 @@ private:
     /// Tries the middle of the star and steps that shrink.
     bool moveNode(int node) {
         const GridPoint before = point(node);
-        double best = starAngle(node);
+        const std::span<const int> triangles = star(node);
+        double best = starAngle(triangles);
         double reach = 0;
-        for (const int t : star_[at(node)])
+        for (const int t : triangles)
             for (const int other : mesh_.triangles[at(t)].nodes)
                 reach = std::max(reach, std::hypot(static_cast<double>(point(other).x) - before.x,
                                                    static_cast<double>(point(other).y) - before.y));
@@ -143,7 +175,7 @@ private:
                 const double dy = std::array<double, 8>{0, 0.7, 1, 0.7, 0, -0.7, -1, -0.7}[at(direction)];
                 mesh_.grid[at(node)] = {here.x + static_cast<std::int32_t>(std::lround(dx * step)),
                                         here.y + static_cast<std::int32_t>(std::lround(dy * step))};
-                const double angle = starAngle(node);
+                const double angle = starAngle(triangles);
                 if (angle > best + 1e-6)
                     best = angle;
                 else
@@ -156,34 +188,57 @@ private:
 
     /// Gives up the rectangles round one staircase corner of each bad triangle, the cheapest first.
     bool freeNodesOf(const std::vector<int>& bad) {
-        std::vector<char> dropped(mesh_.cells.size(), 0);
-        bool any = false;
+        const std::vector<std::vector<int>> cellsAt = cellsAtCorners(bad);
+        std::vector<int> dropped;
         for (const int t : bad) {
             int cheapest = -1;
             std::size_t fewest = 4;
             for (const int node : mesh_.triangles[at(t)].nodes) {
-                const auto& cells = cellsAt_[at(node)];
+                const auto& cells = cellsAt[stripIndex(node)];
                 if (node < mesh_.boundaryCount || cells.empty() || cells.size() >= fewest) continue;
                 cheapest = node;
                 fewest = cells.size();
             }
             if (cheapest < 0) continue;
-            for (const int cell : cellsAt_[at(cheapest)]) dropped[at(cell)] = 1;
-            any = true;
+            const auto& cells = cellsAt[stripIndex(cheapest)];
+            dropped.insert(dropped.end(), cells.begin(), cells.end());
         }
-        if (any) rebuildWithout(dropped);
-        return any;
+        if (!dropped.empty()) rebuildWithout(dropped);
+        return !dropped.empty();
     }
 
-    void rebuildWithout(const std::vector<char>& dropped) {
-        for (std::size_t c = 0; c < dropped.size(); ++c)
-            if (dropped[c]) fill_.filled[at(mesh_.cells[c].index)] = 0;
-        std::vector<Vec2> position = std::move(mesh_.position);
-        std::vector<GridPoint> grid = std::move(mesh_.grid);
-        mesh_ = cellMesh(frame_, boundary_, lattice_, fill_);
-        mesh_.position = std::move(position); // nodes keep their numbers, and moved ones their places
-        mesh_.grid = std::move(grid);
+    /// The cells at the corners of these triangles, by strip node.
+    [[nodiscard]] std::vector<std::vector<int>> cellsAtCorners(const std::vector<int>& triangles) const {
+        std::vector<char> asked(mesh_.grid.size(), 0);
+        for (const int t : triangles)
+            for (const int node : mesh_.triangles[at(t)].nodes) asked[at(node)] = 1;
+        std::vector<std::vector<int>> cells(mesh_.layer.stripNodes.size());
+        for (std::size_t c = 0; c < mesh_.layer.cells.size(); ++c) {
+            const Cell& cell = mesh_.layer.cells[c];
+            const auto enter = [&](int node) {
+                if (asked[at(node)]) cells[stripIndex(node)].push_back(static_cast<int>(c));
+            };
+            for (const int node : cell.corners) enter(node);
+            for (std::size_t side = 0; cell.hanging >= 0 && side < 4; ++side)
+                for (const int node : hangingOn(mesh_.layer, cell, side)) enter(node);
+        }
+        return cells;
     }
+
+    void rebuildWithout(const std::vector<int>& dropped) {
+        for (const int c : dropped) fill_.filled[at(mesh_.layer.cells[at(c)].index)] = 0;
+        CellLayer layer = cellLayer(boundary_, lattice_, fill_);
+        if (!best_.layer) best_.layer = std::move(mesh_.layer);
+        mesh_.layer = std::move(layer);
+    }
+
+    /// The best strip so far, without copying what is not its own.
+    struct Best {
+        Grade grade;
+        std::vector<Triangle> triangles;
+        std::vector<std::pair<int, GridPoint>> places; ///< of the nodes of its strip
+        std::optional<CellLayer> layer;                ///< empty while it is the mesh's own
+    };
 
     const PieceFrame& frame_;
     const BoundaryNodes& boundary_;
@@ -193,8 +248,10 @@ private:
     ImprovementSettings settings_;
     double wanted_;
     Grade grade_;
+    Best best_;
     std::vector<int> after_;
-    std::vector<std::vector<int>> star_, cellsAt_;
+    std::vector<std::size_t> firstOfStar_; ///< of each strip node, into stars_
+    std::vector<int> stars_;
 };
 
 } // namespace

@@ -10,6 +10,7 @@ namespace {
 
 const QStringList pieceKeys{"nodes", "slaves", "quads", "triangles", "rectangles", "rectangleFraction",
                             "minimumAngleDegrees", "maximumAngleDegrees", "inputMinimumAngleDegrees", "maximumAspect",
+                            "anglePercentilesDegrees", "neighbourSizeRatio", "grainAlignment",
                             "areaRelativeError", "boundaryDeviation", "invertedCells", "missingBoundaryNodes",
                             "nonManifoldEdges", "seconds", "bytes", "regions"};
 
@@ -56,7 +57,8 @@ void tst_MeshCommand::theReportHasTheKeysThatArePromised() {
     QCOMPARE(missingKeys(*json.find("total"), pieceKeys), QString());
     QCOMPARE(json.find("seams")->asArray()->size(), std::size_t(17));
     for (const Json& seam : *json.find("seams")->asArray())
-        QCOMPARE(missingKeys(seam, {"name", "countA", "countB", "lengthA", "lengthB", "ease", "largestSpacingMismatch"}), QString());
+        QCOMPARE(missingKeys(seam, {"name", "countA", "countB", "lengthA", "lengthB", "ease", "largestSpacingMismatch", "equalLength", "equalCount",
+                                    "equalUnitLength"}), QString());
     for (const Json& warning : *json.find("warnings")->asArray()) QCOMPARE(missingKeys(warning, {"place", "text"}), QString());
 }
 

@@ -17,6 +17,9 @@ private slots:
     void theAreaErrorIsThatOfTheChords();
     void threadsDoNotChangeTheMesh();
     void thePaperRuleLeavesLongChainsOfSlaves();
+    void theReportOfASquareIsKnown();
+    void theReportTellsAnglesAndAlignment();
+    void aMeshThatIsNotJudgedIsTheSame();
 };
 
 namespace {
@@ -136,6 +139,44 @@ void tst_Joints::thePaperRuleLeavesLongChainsOfSlaves() {
     QCOMPARE(garment->pieces[0].slaves.size(),
              std::size_t{4 * 8 * 3}); // three on each coarse side, at t = k/4
     QCOMPARE(garment->pieces[0].rectangles.size(), std::size_t{256 - 64 + 64 * 16});
+}
+
+void tst_Joints::theReportOfASquareIsKnown() {
+    const auto garment = meshGarment(inputOf(rectanglePiece(1, 0.5, 0.125)));
+    QVERIFY(garment);
+    const PieceReport& report = garment->report.pieces[0];
+    QCOMPARE(report.angles[90], 4 * 8 * 4); // the corners of 8 × 4 rectangles
+    for (const double part : {0.01, 0.5, 0.99}) QCOMPARE(angleBelow(report, part), 90);
+    QVERIFY(std::abs(report.sideLength - 32 * 0.5) < 1e-12);
+    QCOMPARE(report.grainAlignment, 1.0);
+    QVERIFY(std::abs(report.neighbourSizeRatio - 1) < 1e-12);
+    QVERIFY(std::abs(report.maximumAspect - 1) < 1e-12);
+}
+
+void tst_Joints::theReportTellsAnglesAndAlignment() {
+    const auto garment = meshGarment(inputOf(circlePiece(0.25, 0.02)));
+    QVERIFY(garment);
+    const PieceReport& report = garment->report.total;
+    int corners = 0;
+    for (const int count : report.angles) corners += count;
+    QCOMPARE(corners, 4 * report.quads + 3 * report.triangles);
+    const int first = angleBelow(report, 0), median = angleBelow(report, 0.5),
+              last = angleBelow(report, 0.99);
+    QCOMPARE(first, static_cast<int>(report.minimumAngle * 180 / std::numbers::pi));
+    QCOMPARE(median, 90); // most elements are rectangles
+    QVERIFY(last > 90 && last <= report.maximumAngle * 180 / std::numbers::pi);
+    QVERIFY(report.grainAlignment > report.rectangleFraction * 0.9 && report.grainAlignment < 1);
+    QVERIFY(report.neighbourSizeRatio > 1 && report.neighbourSizeRatio < 4);
+}
+
+void tst_Joints::aMeshThatIsNotJudgedIsTheSame() {
+    const MeshInput input = inputOf(regionBodice(0.02));
+    const auto judged = meshGarment(input), quick = meshGarment(input, {.judged = false});
+    QVERIFY(judged && quick);
+    QVERIFY(judged->pieces[0].nodes == quick->pieces[0].nodes &&
+            judged->pieces[0].display == quick->pieces[0].display);
+    QCOMPARE(quick->report.total.rectangleFraction, judged->report.total.rectangleFraction);
+    QCOMPARE(quick->report.total.quads, judged->report.total.quads);
 }
 
 QTEST_APPLESS_MAIN(tst_Joints)

@@ -18,6 +18,7 @@ private slots:
     void notchesAreMatchedInOrder();
     void seamsThatShareAnEdgeShareItsCount();
     void aDartClosesAtOneTip();
+    void theThreeConditionsOfThePaperHoldForEverySeam();
 };
 
 namespace {
@@ -145,6 +146,30 @@ void tst_Seams::aDartClosesAtOneTip() {
     QVERIFY(pairs.back()[0] == pairs.back()[1]);
     QVERIFY(pointOf(*garment, pairs.back()[0]) == (Vec2{0.1, 0.12}));
     QCOMPARE(QString::fromStdString(defectOf(garment->pieces[0])), QString());
+}
+
+void tst_Seams::theThreeConditionsOfThePaperHoldForEverySeam() {
+    // Plain; with ease; two pieces on one; a chain with notches.
+    MeshInput input{{rectanglePiece(0.2, 0.3, 0.02), rectanglePiece(0.1, 0.3, 0.01),
+                     rectanglePiece(0.1, 0.32, 0.02), rectanglePiece(0.62, 0.05, 0.015)},
+                    {}};
+    input.seams = {seamOf({{0, 0, 1}}, {{1, 0, 3, 0, 1, true}}), seamOf({{2, 0, 1}}, {{1, 0, 1}}),
+                   seamOf({{0, 0, 3, 0, 1, true}, {2, 0, 3, 0, 1, true}}, {{3, 0, 0}})};
+    input.seams[1].sections = {{0.02, {}}};
+    const auto garment = meshGarment(input);
+    QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
+    for (const SeamReport& seam : garment->report.seams) {
+        const SewnAlike alike = sewnAlike(seam);
+        QVERIFY(alike.length && alike.count && alike.unit);
+    }
+    QCOMPARE(garment->report.seams[0].countA, 31);
+    QCOMPARE(garment->report.seams[2].countB, 20 + 22 + 1); // 0.3 and 0.32 m at the band's 15 mm
+    SeamReport broken = garment->report.seams[0];
+    broken.countB += 1;
+    broken.lengthB += 0.01;
+    broken.largestSpacingMismatch = 0.2;
+    const SewnAlike unlike = sewnAlike(broken);
+    QVERIFY(!unlike.length && !unlike.count && !unlike.unit);
 }
 
 QTEST_APPLESS_MAIN(tst_Seams)

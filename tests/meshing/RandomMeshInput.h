@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/meshing/MeshFixtures.h"
+
+#include <cstdint>
+
+/// Random garments: a seed means the same input everywhere.
+namespace toile::meshing {
+
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15ULL + 0x2545f4914f6cdd1dULL) {}
+    double operator()(double low, double high) {
+        state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+        return low + (high - low) * static_cast<double>(state_ >> 11) / 9007199254740992.0;
+    }
+    int whole(int low, int high) { return low + static_cast<int>((*this)(0, 1) * (high - low + 1)); }
+    bool chance(double probability) { return (*this)(0, 1) < probability; }
+
+private:
+    std::uint64_t state_;
+};
+
+class RandomMeshInput {
+public:
+    explicit RandomMeshInput(std::uint64_t seed) : random_(seed) {}
+
+    MeshInput operator()() {
+        MeshInput input;
+        for (int n = random_.whole(1, 3); n > 0; --n)
+            input.pieces.push_back(piece(static_cast<int>(input.pieces.size())));
+        if (random_.chance(0.6))
+            for (int n = random_.whole(1, 3); n > 0; --n) input.seams.push_back(seam(input));
+        return input;
+    }
+
+private:
+    PieceInput piece(int number) {
+        PieceInput piece;
+        switch (random_.whole(0, 6)) {
+        case 0:
+            piece.outline = loopThrough(star({0, 0}, random_.whole(3, 14)));
+            break;
+        case 1:
+            piece.outline = loopThrough(box(random_(0.02, 0.6), random_(0.004, 0.5)));
+            break;
+        case 2:
+            piece.outline = loopThrough(stairs());
+            break;
+        case 3:
+            piece.outline = loopThrough(slitBox());
+            break;
+        case 4:
+            piece.outline = loopThrough(digitised(random_.whole(50, 800)));
+            break;
+        case 5:
+            piece.outline = circleLoop({random_(-1, 1), random_(-1, 1)}, random_(0.02, 0.3));
+            break;
+        default:
+            piece.outline = loopThrough(garbage());
+            break;
+        }
+        piece.label = "P" + std::to_string(number);
+        piece.spacing = std::pow(10.0, random_(-2.2, -0.7));
+        curve(piece);
+        for (BoundaryEdge& edge : piece.outline)
+            if (random_.chance(0.15)) edge.notches = {random_(0.05, 0.5), random_(0.5, 0.95)};
+        for (int n = random_.chance(0.4) ? random_.whole(1, 3) : 0; n > 0; --n) piece.holes.push_back(hole());
+        for (int n = random_.chance(0.4) ? random_.whole(1, 3) : 0; n > 0; --n)
+            piece.regions.push_back(region(n));
+        piece.grain = random_.chance(0.5) ? 0 : random_(-4, 4);
+        piece.rule = static_cast<LineRule>(random_.chance(0.6) ? 0 : random_.whole(0, 2));
+        piece.border = static_cast<RegionBorder>(random_.whole(0, 1));
+        piece.mirrored = random_.chance(0.3);
+        if (random_.chance(0.1)) scale(piece, std::pow(10.0, random_(-2, 2)));
+        return piece;
+    }
+
+    /// Star-shaped about the centre, hence simple.
+    std::vector<Vec2> star(Vec2 centre, int corners, double least = 0.05, double most = 0.4) {
+        std::vector<Vec2> points;
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2 * std::numbers::pi * (i + random_(-0.3, 0.3)) / corners,
+                         r = random_(least, most);
+            points.push_back(centre + Vec2{r * std::cos(angle), r * std::sin(angle)});
+        }
+        return points;
+    }
+
+    static std::vector<Vec2> box(double width, double height) {
+        return {{0, 0}, {width, 0}, {width, height}, {0, height}};
+    }
+
+    /// Straight along the grain, with steps.
+    std::vector<Vec2> stairs() {
+        std::vector<Vec2> points{{0, 0}};
+        double x = 0, y = random_(0.2, 0.5);
+        const int steps = random_.whole(1, 5);
+        for (int i = 0; i < steps; ++i) x += random_(0.02, 0.15);
+        points.push_back({x, 0});
+        for (int i = 0; i < steps; ++i) {
+            points.push_back({x, y});
+            x = i + 1 == steps ? 0 : x * random_(0.3, 0.9);
+            points.push_back({x, y});
+            y *= random_(0.6, 1.3);
+        }
+        return points;
+    }
+
+    /// A box with a slit or a dart of any width.
+    std::vector<Vec2> slitBox() {
+        const double width = random_(0.1, 0.5), height = random_(0.1, 0.5), at = random_(0.2, 0.8) * width;
+        const double half = std::pow(10.0, random_(-6, -1.5)) * width, depth = random_(0.1, 0.95) * height;
+        std::vector<Vec2> points{{0, 0}, {at - half, 0}};
+        if (random_.chance(0.5))
+            points.push_back({at + random_(-1, 1) * half, depth});
+        else
+            points.insert(points.end(), {{at - half, depth}, {at + half, depth}});
+        points.insert(points.end(), {{at + half, 0}, {width, 0}, {width, height}, {0, height}});
+        return points;
+    }
+
+    std::vector<Vec2> digitised(int points) {
+        std::vector<Vec2> outline;
+        const double waves = random_.whole(2, 7), depth = random_(0, 0.1),
+                     noise = std::pow(10.0, random_(-7, -3.5));
+        for (int i = 0; i < points; ++i) {
+            const double angle = 2 * std::numbers::pi * i / points,
+                         r = 0.3 + depth * std::sin(waves * angle) + random_(-noise, noise);
+            outline.push_back({r * std::cos(angle), 0.7 * r * std::sin(angle)});
+        }
+        return outline;
+    }
+
+    /// Corners on a coarse grid: double points, overlaps, crossings.
+    std::vector<Vec2> garbage() {
+        std::vector<Vec2> points;
+        for (int n = random_.whole(1, 8); n > 0; --n)
+            points.push_back({0.05 * random_.whole(0, 5), 0.05 * random_.whole(0, 5)});
+        return points;
+    }
+
+    void curve(PieceInput& piece) {
+        if (!random_.chance(0.4)) return;
+        for (BoundaryEdge& edge : piece.outline) {
+            if (!std::holds_alternative<geometry::LineShape>(edge.curve.shape) || !random_.chance(0.3))
+                continue;
+            const Vec2 along = edge.curve.end - edge.curve.start;
+            if (random_.chance(0.5))
+                edge.curve.shape = geometry::ArcShape{random_(-0.4, 0.4)};
+            else
+                edge.curve.shape = geometry::CubicShape{
+                    edge.curve.start + along * random_(0.1, 0.5) + leftOf(along) * random_(-0.2, 0.2),
+                    edge.curve.start + along * random_(0.5, 0.9) + leftOf(along) * random_(-0.2, 0.2)};
+        }
+    }
+
+    BoundaryLoop hole() {
+        const Vec2 centre{random_(-0.1, 0.3), random_(-0.1, 0.3)};
+        if (random_.chance(0.4)) return circleLoop(centre, random_(0.002, 0.08), true);
+        std::vector<Vec2> corners = star(centre, random_.whole(3, 8), 0.003, 0.06);
+        std::reverse(corners.begin(), corners.end());
+        return loopThrough(corners);
+    }
+
+    RegionInput region(int number) {
+        RegionInput region{"r" + std::to_string(number), {}, {}, random_.whole(0, 3)};
+        const Vec2 centre{random_(-0.2, 0.4), random_(-0.2, 0.4)};
+        region.outline = random_.chance(0.5) ? star(centre, random_.whole(3, 9), 0.03, 0.2)
+                                             : box(random_(0.02, 0.3), random_(0.02, 0.3));
+        if (random_.chance(0.3)) region.holes.push_back(star(centre, 5, 0.005, 0.03));
+        return region;
+    }
+
+    static void scale(PieceInput& piece, double factor) {
+        const auto scaleLoop = [&](BoundaryLoop& loop) {
+            for (BoundaryEdge& edge : loop) {
+                edge.curve.start = edge.curve.start * factor;
+                edge.curve.end = edge.curve.end * factor;
+                if (auto* cubic = std::get_if<geometry::CubicShape>(&edge.curve.shape))
+                    *cubic = {cubic->control1 * factor, cubic->control2 * factor};
+            }
+        };
+        scaleLoop(piece.outline);
+        for (BoundaryLoop& loop : piece.holes) scaleLoop(loop);
+        for (RegionInput& region : piece.regions) {
+            for (Vec2& p : region.outline) p = p * factor;
+            for (Polygon& polygon : region.holes)
+                for (Vec2& p : polygon) p = p * factor;
+        }
+        piece.spacing *= factor;
+    }
+
+    /// A chain of one to three neighbouring edges; now and then of nonsense.
+    std::vector<SeamPartInput> chain(const MeshInput& input) {
+        const int piece = random_.whole(0, static_cast<int>(input.pieces.size()) - 1);
+        const int edges = static_cast<int>(input.pieces[static_cast<std::size_t>(piece)].outline.size());
+        const int first = random_.whole(0, edges - 1), count = std::min(edges, random_.whole(1, 3));
+        const bool reversed = random_.chance(0.5);
+        std::vector<SeamPartInput> parts;
+        for (int i = 0; i < count; ++i)
+            parts.push_back({piece, 0, ((reversed ? first - i : first + i) + edges) % edges, 0, 1, reversed});
+        if (count == 1 && random_.chance(0.4)) {
+            parts[0].from = random_(0, 0.45);
+            parts[0].to = random_(0.55, 1);
+        }
+        if (random_.chance(0.03)) parts[0].reversed = !parts[0].reversed;
+        if (random_.chance(0.02)) parts[0].edge = edges + 3;
+        return parts;
+    }
+
+    SeamInput seam(const MeshInput& input) {
+        SeamInput seam{"s", {chain(input), chain(input)}, {}};
+        const auto lengthOf = [&](const std::vector<SeamPartInput>& parts) {
+            double sum = 0;
+            for (const SeamPartInput& part : parts) {
+                const auto& outline = input.pieces[static_cast<std::size_t>(part.piece)].outline;
+                if (part.edge < static_cast<int>(outline.size()))
+                    sum += (part.to - part.from) *
+                           geometry::length(outline[static_cast<std::size_t>(part.edge)].curve);
+            }
+            return sum;
+        };
+        const double a = lengthOf(seam.sides[0]), b = lengthOf(seam.sides[1]);
+        if (b > 0 && random_.chance(0.95))
+            seam.sections = {{0, a / b}}; // of the whole seam: notches may not fit
+        return seam;
+    }
+
+    Random random_;
+};
+
+} // namespace toile::meshing
