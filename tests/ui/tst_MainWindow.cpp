@@ -2,6 +2,7 @@
 #include "UiFixtures.h"
 #include "WindowFixture.h"
 
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QKeySequenceEdit>
@@ -29,6 +30,7 @@ private Q_SLOTS:
     void shortcutsAreTheUsers();
     void deleteTakesOutWhatIsSelectedWhateverTheTool();
     void theMouseInSpaceFollowsTheUsersHabits();
+    void detailsDrawnByHandAreMeshedAndSewn();
 };
 
 void tst_MainWindow::propertiesChangeTheDocument() {
@@ -157,6 +159,41 @@ void tst_MainWindow::theMouseInSpaceFollowsTheUsersHabits() {
     QVERIFY(!orbits(bench, Qt::RightButton) && orbits(bench, Qt::MiddleButton));
     QVERIFY(bench.action("habits.blender")->isChecked());
     bench.action("habits.clo")->trigger();
+}
+
+void tst_MainWindow::detailsDrawnByHandAreMeshedAndSewn() {
+    Bench bench;
+    bench.look({0.3, 0.25}, 1000);
+    bench.key(Qt::Key_D, Qt::ShiftModifier);
+    for (const Vec2 at : {Vec2{0, 0}, {0.5, 0}, {0.46, 0.5}, {0.04, 0.5}}) bench.click(at);
+    bench.toolKey(Qt::Key_Return);
+    bench.key(Qt::Key_T, Qt::ShiftModifier); // two darts in the waist
+    for (const double x : {0.15, 0.35}) {
+        bench.click({x, 0.5});
+        bench.click({x, 0.38});
+    }
+    bench.key(Qt::Key_H, Qt::ShiftModifier);
+    for (const Vec2 at : {Vec2{0.2, 0.15}, {0.3, 0.15}, {0.3, 0.25}, {0.2, 0.25}}) bench.click(at);
+    bench.toolKey(Qt::Key_Return);
+    bench.key(Qt::Key_N, Qt::ShiftModifier);
+    bench.click({0.25, 0});
+    bench.key(Qt::Key_Z);
+    for (const Vec2 corner : {Vec2{0.04, 0.5}, {0.46, 0.5}}) { // it hangs from its upper corners
+        bench.click(corner);
+        bench.find<QCheckBox>("pinned")->click();
+    }
+    const pattern::Piece& piece = *bench.pattern().pieces[0];
+    QCOMPARE(bench.pattern().seams.size(), std::size_t(2));
+    QCOMPARE(piece.holes.size(), std::size_t(1));
+    QCOMPARE(piece.notches.size(), std::size_t(1));
+    QCOMPARE(bench.pattern().pins.size(), std::size_t(2));
+    QTRY_VERIFY(bench.workbench.mesh().size() == 1 && !bench.workbench.mesh()[0].lines.empty());
+    bench.picture("details.png");
+    QTRY_VERIFY(bench.workbench.frame() && bench.workbench.frame()->largestSeamGap > 0.02); // the mouths are open
+    bench.key(Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.workbench.frame()->time > 1.5 && bench.workbench.frame()->largestSeamGap == 0, 120000);
+    bench.picture("details-sewn.png");
+    bench.key(Qt::Key_Space);
 }
 
 QTEST_MAIN(tst_MainWindow)

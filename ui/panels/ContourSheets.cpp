@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternContours.h"
 #include "core/pattern/PatternMeasures.h"
 #include "core/pattern/PatternPieces.h"
 #include "core/pattern/PatternRegions.h"
-#include "ui/panels/PropertySheet.h"
+#include "ui/panels/SheetEdits.h"
 #include "ui/values/Picking.h"
 
 #include <QCoreApplication>
@@ -19,13 +18,6 @@ using namespace pattern;
 using document::Document;
 
 QString tr(const char* text) { return QCoreApplication::translate("Properties", text); }
-
-/// An edit of core/pattern as a setter of a property: edit(pattern, value).
-auto setting(auto edit) {
-    return [edit](const Document& document, auto... value) -> DocumentResult {
-        return document::edited(document, [&](const Pattern& p, IdSource&) { return edit(p, value...); });
-    };
-}
 
 QString nameOf(const Desk& desk, const PieceId& id) {
     const Piece* piece = findPiece(desk.document.pattern, id);

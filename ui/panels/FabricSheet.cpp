@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternFabrics.h"
-#include "ui/panels/PropertySheet.h"
+#include "ui/panels/SheetEdits.h"
 
 #include <QCoreApplication>
 
@@ -14,16 +13,14 @@ using document::Document;
 QString tr(const char* text) { return QCoreApplication::translate("Properties", text); }
 
 /// A setter of a constant of the fabric; the result is checked.
-auto setting(const FabricId& id, auto change) {
-    return [id, change](const Document& document, auto value) -> DocumentResult {
-        return document::edited(document, [&](const Pattern& pattern, IdSource&) -> Result<Pattern> {
-            const Fabric* now = findFabric(pattern, id);
-            if (!now) return pattern;
-            Fabric fabric = *now;
-            change(fabric, value);
-            return replaceFabric(pattern, std::move(fabric));
-        });
-    };
+auto constant(const FabricId& fabric, auto change) {
+    return setting(fabric, [change](const Pattern& pattern, const FabricId& id, auto value) -> Result<Pattern> {
+        const Fabric* now = findFabric(pattern, id);
+        if (!now) return pattern;
+        Fabric next = *now;
+        change(next, value);
+        return replaceFabric(pattern, std::move(next));
+    });
 }
 
 } // namespace
@@ -34,16 +31,16 @@ PropertySheet fabricSheet(const Document&, const Fabric& fabric) {
                             double high, double step, const QString& tip = {}) {
         sheet.rows.push_back({QString::fromLatin1(name), label,
                               NumberRow{quantity, fabric.*field, low, high, step,
-                                        setting(fabric.id, [field](Fabric& f, double value) { f.*field = value; })},
+                                        constant(fabric.id, [field](Fabric& f, double value) { f.*field = value; })},
                               tip});
     };
     sheet.rows.push_back({QStringLiteral("name"), tr("Name"),
-                          TextRow{QString::fromStdString(fabric.name), setting(fabric.id, [](Fabric& f, const QString& name) {
+                          TextRow{QString::fromStdString(fabric.name), constant(fabric.id, [](Fabric& f, const QString& name) {
                                       f.name = name.toStdString();
                                   })}});
     sheet.rows.push_back({QStringLiteral("kind"), tr("Kind"),
                           ChoiceRow{{tr("Woven"), tr("Knit")}, static_cast<int>(fabric.kind),
-                                    setting(fabric.id, [](Fabric& f, int index) {
+                                    constant(fabric.id, [](Fabric& f, int index) {
                                         f.kind = static_cast<material::FabricKind>(index);
                                     })}});
     number("arealDensity", tr("Weight"), Quantity::arealDensity, &Fabric::arealDensity, 0.005, 5, 5);

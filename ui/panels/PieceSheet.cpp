@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternFabrics.h"
 #include "core/pattern/PatternMeasures.h"
 #include "core/pattern/PatternPieces.h"
 #include "core/pattern/PatternPlacement.h"
-#include "ui/panels/PropertySheet.h"
+#include "ui/panels/SheetEdits.h"
 
 #include <QCoreApplication>
 
@@ -19,13 +18,6 @@ using namespace pattern;
 using document::Document;
 
 QString tr(const char* text) { return QCoreApplication::translate("Properties", text); }
-
-/// An edit of core/pattern with the piece's id as a setter of a property.
-auto setting(const PieceId& id, auto edit) {
-    return [id, edit](const Document& document, auto value) -> DocumentResult {
-        return document::edited(document, [&](const Pattern& p, IdSource&) { return edit(p, id, value); });
-    };
-}
 
 Placement placementOf(const Piece& piece) { return piece.placement.value_or(Placement{}); }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternMeasures.h"
 #include "core/pattern/PatternSeams.h"
-#include "ui/panels/PropertySheet.h"
+#include "ui/panels/SheetEdits.h"
 
 #include <QCoreApplication>
 
@@ -16,13 +15,6 @@ using namespace pattern;
 using document::Document;
 
 QString tr(const char* text) { return QCoreApplication::translate("Properties", text); }
-
-/// An edit of core/pattern with the seam's id as a setter of a property.
-auto setting(const SeamId& id, auto edit) {
-    return [id, edit](const Document& document, auto... value) -> DocumentResult {
-        return document::edited(document, [&](const Pattern& p, IdSource&) { return edit(p, id, value...); });
-    };
-}
 
 /// Difference of lengths that is neither declared as ease nor as gathering: worth a look from this on [m].
 constexpr double notableMismatch = 0.5e-3;

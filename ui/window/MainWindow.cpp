@@ -69,7 +69,7 @@ void MainWindow::makeViews() {
     sides->setStretchFactor(0, 5);
     sides->setStretchFactor(1, 7);
     sides->setStretchFactor(2, 0);
-    sides->setSizes({540, 680, 280});
+    sides->setSizes({560, 660, 280});
     sides->setChildrenCollapsible(false);
     setCentralWidget(sides);
     status_ = new StatusLine;

@@ -34,7 +34,7 @@ void applyTheme(QApplication& application) {
         "QToolButton:hover { background: #e4e9ee; }"
         "QToolButton:pressed { background: #d4dce4; }"
         "QToolButton:checked { background: #d6e6f5; border-color: #8dbbe4; }"
-        "#viewBar { padding: 0 4px; spacing: 1px; } #viewBar QToolButton { padding: 2px 5px; }"
+        "#viewBar { padding: 0 4px; spacing: 1px; } #viewBar QToolButton { padding: 2px 1px; }"
         "QStatusBar { border-top: 1px solid #d3d8dd; }"
         "QStatusBar::item { border: 0; }"
         "QSplitter::handle { background: #d3d8dd; }"
