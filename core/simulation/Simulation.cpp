@@ -19,6 +19,9 @@ constexpr MergeRule mergeRule;
 constexpr DressingSettings dressing;
 /// Of the methods that adapt their step: RMS error of a part [m].
 constexpr double positionTolerance = 1e-4;
+/// Frame steps of backward Euler before a method takes over from XPBD, whose soft state would ring at the true
+/// stiffness: twice a factor of 1/ωh. Ref: Rannacher 1984
+constexpr int calming = 2;
 /// A seam that is still open this long after its ramp ended is given up, so that the next order may begin [s].
 constexpr double patience = 2.0;
 
@@ -152,18 +155,26 @@ void Simulation::rebuildPlan() {
     Scene now = scene_;
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
     plan_ = planOf(now, *garment_, body_.get(), std::move(pairs));
-    const double damping = phase_ == Phase::sewing    ? dressing.sewingDamping
-                           : phase_ == Phase::shaking ? dressing.shakingDamping
-                                                      : scene_.settings.damping;
-    xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model, dynamics::XpbdSettings{.damping = damping, .speedLimit = 10});
+    xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model, dynamics::XpbdSettings{.damping = damping(), .speedLimit = 10});
     substeps_ = scene_.settings.substeps > 0 ? scene_.settings.substeps
                                              : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
                                             length(scene_.settings.gravity));
     if (phase_ == Phase::sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
     integrator_.reset();
-    if (phase_ != Phase::sewing && drapingMethod_ && *drapingMethod_ != dynamics::Method::xpbd)
-        integrator_ = dynamics::makeIntegrator(*drapingMethod_, garment_->model,
-                                               {.damping = damping, .positionTolerance = positionTolerance});
+    calmingFrames_ = 0;
+    if (phase_ == Phase::sewing || !drapingMethod_ || *drapingMethod_ == dynamics::Method::xpbd) return;
+    if (!phases_.empty() && phases_.back().method == dynamics::nameOf(dynamics::Method::xpbd)) calmingFrames_ = calming;
+    integrator_ = integratorOf(calmingFrames_ > 0 ? dynamics::Method::backwardEuler : *drapingMethod_);
+}
+
+std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method method) const {
+    return dynamics::makeIntegrator(method, garment_->model, {.damping = damping(), .positionTolerance = positionTolerance});
+}
+
+double Simulation::damping() const {
+    return phase_ == Phase::sewing    ? dressing.sewingDamping
+           : phase_ == Phase::shaking ? dressing.shakingDamping
+                                      : scene_.settings.damping;
 }
 
 void Simulation::drapeWith(std::optional<dynamics::Method> method) {
@@ -266,6 +277,7 @@ Result<void> Simulation::advance(std::stop_token stop) {
         return tl::unexpected(stepped.error());
     }
     note(duration, *stepped);
+    if (calmingFrames_ > 0 && --calmingFrames_ == 0) integrator_ = integratorOf(*drapingMethod_);
     ++steps_;
     largestSpeed_ = 0;
     for (std::size_t i = 0; i < state_.positions.size(); ++i)

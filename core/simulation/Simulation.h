@@ -111,6 +111,8 @@ private:
 
     void rebuildPlan();
     [[nodiscard]] Result<dynamics::StepReport> moveCloth(double duration, std::stop_token stop);
+    [[nodiscard]] std::unique_ptr<dynamics::Integrator> integratorOf(dynamics::Method method) const;
+    [[nodiscard]] double damping() const; ///< of the phase [1/s]
     void note(double duration, const dynamics::StepReport& step);
     [[nodiscard]] Phase duePhase() const;
     [[nodiscard]] Vec3 gravity() const { return phase_ == Phase::sewing ? Vec3{} : scene_.settings.gravity; }
@@ -130,6 +132,7 @@ private:
     std::unique_ptr<dynamics::Xpbd> xpbd_;
     std::optional<dynamics::Method> drapingMethod_ = dynamics::Method::xpbd;
     std::unique_ptr<dynamics::Integrator> integrator_; ///< while another method than XPBD is at work
+    int calmingFrames_ = 0;       ///< left
     std::vector<PhaseRun> phases_;
     std::vector<SeamState> seams_;
     std::vector<std::vector<double>> seamGaps_; ///< of each pair when its seam began to close [m]
