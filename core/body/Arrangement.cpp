@@ -107,6 +107,22 @@ double limbLength(const Body& body, Limb limb) {
     return distance(from, to);
 }
 
+std::optional<geometry::Polyline> limbLine(const Body& body, Limb limb) {
+    constexpr double step = 0.01, rounding = 0.05, nearness = 0.03; // [m]
+    const LimbAxis* axis = axisOf(body, limb);
+    if (!axis || limb == Limb::neck || limb == Limb::torso) return std::nullopt;
+    geometry::Polyline line;
+    for (const Vec3& p : axis->points) // two points that nearly coincide give no direction
+        if (line.empty() || distance(line.back(), p) > nearness) line.push_back(p);
+    if (line.size() < 2) return std::nullopt;
+    return geometry::rounded(line, step, rounding);
+}
+
+double limbLineLength(const Body& body, Limb limb, const geometry::Polyline& line) {
+    const LimbAxis* axis = axisOf(body, limb);
+    return axis ? geometry::nearestArcLength(line, endsOf(body, *axis).to) : 0;
+}
+
 std::vector<ArrangementVolume> arrangementVolumes(const Body& body) {
     std::vector<ArrangementVolume> volumes;
     for (const Limb limb : allLimbs) {

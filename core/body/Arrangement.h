@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/body/Landmarks.h"
+#include "core/geometry/FrameAlong.h"
 
 #include <optional>
 #include <vector>
@@ -35,6 +36,13 @@ struct ArrangementVolume {
 /// Length of a limb along its frame's y: torso waist to nape, neck base to crown, arm to the wrist, leg to
 /// the ankle [m].
 [[nodiscard]] double limbLength(const Body& body, Limb limb);
+
+/// The middle line of an arm or a leg as a sleeve can follow it, from the root to past hand or foot: 10 mm apart, its
+/// corners rounded over the length of a joint. None for neck and torso, and where the body has no such limb.
+[[nodiscard]] std::optional<geometry::Polyline> limbLine(const Body& body, Limb limb);
+
+/// Where along the line of a limb the wrist or the ankle lies [m].
+[[nodiscard]] double limbLineLength(const Body& body, Limb limb, const geometry::Polyline& line);
 
 /// The volumes of all limbs of a body; none for what is not human.
 [[nodiscard]] std::vector<ArrangementVolume> arrangementVolumes(const Body& body);

@@ -4,6 +4,7 @@
 #include "core/io/ToileFile.h"
 #include "core/io/ToileNames.h"
 #include "core/pattern/Ids.h"
+#include "core/pattern/PatternPlacement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,10 +100,22 @@ Region regionOf(JsonNode& node) {
     return region;
 }
 
+BentLine bentOf(JsonNode node) {
+    BentLine bent;
+    bent.from = lengthOf(node.required("from"));
+    bent.points = listOf(node.required("points"), [](JsonNode& point) {
+        const auto xyz = point.items(3);
+        return xyz.empty() ? Vec3{} : Vec3{lengthOf(xyz[0]), lengthOf(xyz[1]), lengthOf(xyz[2])};
+    });
+    if (!isLine(bent)) node.refuse("A bent middle needs two points at least, and no two neighbours in one place.");
+    return bent;
+}
+
 Curl curlOf(JsonNode node) {
     Curl curl;
     if (const auto axis = node.required("axis").items(2); !axis.empty()) curl.axis = {axis[0].number(), axis[1].number()};
     curl.radius = lengthOf(node.required("radius"));
+    if (const JsonNode bent = node["bent"]; bent.exists()) curl.bent = bentOf(bent);
     return curl;
 }
 

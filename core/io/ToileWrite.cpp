@@ -98,6 +98,14 @@ Json regionJson(const Region& region) {
     return json;
 }
 
+Json bentJson(const BentLine& bent) {
+    Json list(Json::Array{});
+    for (const Vec3& p : bent.points) list.push(Json(Json::Array{millimetres(p.x), millimetres(p.y), millimetres(p.z)}));
+    Json json;
+    json.set("from", millimetres(bent.from)).set("points", std::move(list));
+    return json;
+}
+
 Json placementJson(const Placement& placement) {
     const Transform& t = placement.transform;
     Json rows(Json::Array{});
@@ -109,6 +117,7 @@ Json placementJson(const Placement& placement) {
         Json curl;
         curl.set("axis", Json(Json::Array{placement.curl->axis.x, placement.curl->axis.y}));
         curl.set("radius", millimetres(placement.curl->radius));
+        if (placement.curl->bent) curl.set("bent", bentJson(*placement.curl->bent));
         json.set("curl", std::move(curl));
     }
     return json;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/Pattern.h"
 
+#include "core/geometry/FrameAlong.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,6 +47,12 @@ double mirroredGrain(double grain, Vec2 a, Vec2 b) {
     return std::atan2(-image.x, image.y);
 }
 
+/// A point of the circle that stands square to the line, from the middle of the roll at the piece's origin.
+Vec3 laidAlong(const BentLine& line, double along, const Vec3& onCircle) {
+    const Vec3 outward{0, 0, 1};
+    return geometry::frameAlong(line.points, along - line.from, outward, -line.from).point(onCircle);
+}
+
 } // namespace
 
 geometry::Curve curveOf(const Contour& contour, std::size_t edge) {
@@ -58,8 +66,10 @@ Vec3 placed(const Placement& placement, Vec2 point) {
         const Vec2 along = placement.curl->axis;
         const Vec2 across{along.y, -along.x}; // with along = +y: +x
         const double radius = placement.curl->radius, s = dot(point, across);
-        const Vec2 flat = along * dot(point, along) + across * (radius * std::sin(s / radius));
-        p = {flat.x, flat.y, radius * (std::cos(s / radius) - 1)};
+        const double aside = radius * std::sin(s / radius), inward = radius * (std::cos(s / radius) - 1);
+        const Vec2 flat = along * dot(point, along) + across * aside;
+        p = {flat.x, flat.y, inward};
+        if (placement.curl->bent) p = laidAlong(*placement.curl->bent, dot(point, along), {aside, 0, inward + radius}) - Vec3{0, 0, radius};
     }
     return placement.transform.point(p);
 }

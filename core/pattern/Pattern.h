@@ -92,12 +92,23 @@ struct Region {
     friend bool operator==(const Region&, const Region&) = default;
 };
 
+/// Where the middle of a rolled piece runs when it follows a bent limb: each circle of the roll stands square to this
+/// line, and keeps its radius. At the piece's origin it faces as without the line, and turns nowhere about it. Along the line lengths stay in the middle; outside a bend the piece starts stretched by
+/// R/ρ, inside as much shortened, with ρ the bend's radius.
+struct BentLine {
+    double from = 0;          ///< coordinate along the curl's axis of the line's first point [m]
+    std::vector<Vec3> points; ///< in the frame of the placement, from the middle of the roll at the piece's origin [m];
+                              ///< two at least. Beyond its ends the line goes on straight
+    friend bool operator==(const BentLine&, const BentLine&) = default;
+};
+
 /// Rolls the flat piece round a line through its origin before it is placed; the right side faces outward.
 /// A point at distance s from that line, across `axis`, goes to (R·sin(s/R), R·(cos(s/R) − 1)) in the plane
 /// across the axis, the second coordinate along the right side's normal.
 struct Curl {
     Vec2 axis{0, 1};   ///< unit direction, in the piece, of the lines that stay straight
     double radius = 1; ///< R [m]
+    std::optional<BentLine> bent{}; ///< absent = the middle of the roll is straight
     friend bool operator==(const Curl&, const Curl&) = default;
 };
 

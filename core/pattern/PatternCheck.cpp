@@ -64,6 +64,8 @@ void checkPlacement(const Piece& piece, Problems& problems) {
         problems.error("placement.curl.radius", "The radius of a curl must be a positive length.");
     if (!(std::abs(geometry::length(curl.axis) - 1) < 1e-6))
         problems.error("placement.curl.axis", "The axis of a curl must be a unit direction.");
+    if (curl.bent && !isLine(*curl.bent))
+        problems.error("placement.curl.bent", "A bent middle needs two points at least, and no two neighbours in one place.");
 }
 
 void checkNotches(const Piece& piece, Problems& problems) {

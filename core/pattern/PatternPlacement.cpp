@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/PatternPlacement.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace toile::pattern {
 namespace {
@@ -12,7 +14,10 @@ Result<Curl> usable(const Curl& curl, const Piece& piece) {
         return fail(ErrorCode::invalidInput, "The axis of a curl needs a direction.", placeOf(piece));
     if (!(curl.radius > 0 && std::isfinite(curl.radius)))
         return fail(ErrorCode::invalidInput, "The radius of a curl must be a positive length.", placeOf(piece));
-    return Curl{curl.axis / size, curl.radius};
+    if (curl.bent && !isLine(*curl.bent))
+        return fail(ErrorCode::invalidInput, "A bent middle needs two points at least, and no two neighbours in one place.",
+                    placeOf(piece));
+    return Curl{curl.axis / size, curl.radius, curl.bent};
 }
 
 Result<void> rigid(const Transform& transform, const Piece& piece) {
@@ -27,6 +32,13 @@ bool isRigid(const Transform& t) {
     const auto unit = [](const Vec3& a) { return std::abs(squaredLength(a) - 1) <= tolerance; };
     return isFinite(t.origin) && unit(t.axisX) && unit(t.axisY) && unit(t.axisZ) &&
            squaredLength(cross(t.axisX, t.axisY) - t.axisZ) <= tolerance * tolerance;
+}
+
+bool isLine(const BentLine& bent) {
+    const std::vector<Vec3>& points = bent.points;
+    const auto apart = [](const Vec3& a, const Vec3& b) { return squaredLength(b - a) > 1e-12; }; // a micrometre
+    return points.size() > 1 && std::isfinite(bent.from) && std::ranges::all_of(points, [](const Vec3& p) { return isFinite(p); }) &&
+           std::ranges::adjacent_find(points, std::not_fn(apart)) == points.end();
 }
 
 Result<Pattern> setPlacement(const Pattern& pattern, const PieceId& piece, const std::optional<Placement>& placement) {

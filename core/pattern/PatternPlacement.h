@@ -20,5 +20,7 @@ namespace toile::pattern {
 
 /// A rigid motion: orthonormal axes, right-handed, to 1e-6.
 [[nodiscard]] bool isRigid(const Transform& transform);
+/// Two points at least, no two neighbours in one place, finite numbers.
+[[nodiscard]] bool isLine(const BentLine& bent);
 
 } // namespace toile::pattern

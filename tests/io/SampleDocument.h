@@ -39,7 +39,7 @@ inline document::Document everyField() {
     region.refinement = 2;
     region.stiffness = {1.5, 0.5, 3};
     front.regions = {region};
-    front.placement = Placement{{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {0.1, 1.2, 0.3}}, Curl{{0, 1}, 0.15}};
+    front.placement = Placement{{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {0.1, 1.2, 0.3}}, Curl{{0, 1}, 0.15, BentLine{-0.2, {{0, -0.2, 0}, {0, 0, 0}, {0, 0.1, 0.02}}}}};
 
     Piece mirror;
     mirror.id = PieceId("frontRight");

@@ -29,6 +29,7 @@ private slots:
     void aStretchedPlacementIsRefused();
     void aMovedPlacementCarriesItsPoints();
     void aCurledPieceKeepsItsLengths();
+    void aRollLaidAlongALineKeepsItsGirth();
     void aFabricInUseStays();
     void freeNumbersAreAboveAllInUse();
 };
@@ -145,6 +146,21 @@ void tst_PatternPieces::aCurledPieceKeepsItsLengths() {
         length += distance(placed(rolled, {0.3 * i / steps, 0}), placed(rolled, {0.3 * (i + 1) / steps, 0}));
     QVERIFY(std::abs(length - 0.3) < 1e-6);
     QVERIFY(placed(rolled, {0.1, 0}).z < 0); // bends away from the right side
+}
+
+void tst_PatternPieces::aRollLaidAlongALineKeepsItsGirth() {
+    const Placement straight{{}, Curl{{0, 1}, 0.1}}, same{{}, Curl{{0, 1}, 0.1, BentLine{-0.3, {{0, -0.3, 0}, {0, 0.2, 0}}}}};
+    for (const Vec2 p : {Vec2{0.1, -0.4}, Vec2{-0.05, 0}, Vec2{0.2, 0.3}}) // also beyond the line's ends
+        QVERIFY(distance(placed(straight, p), placed(same, p)) < 1e-15);
+    const Placement bent{{}, Curl{{0, 1}, 0.1, BentLine{0, {{0, 0, 0}, {0, 0.1, 0}, {0, 0.2, 0.05}, {0, 0.25, 0.15}}}}};
+    for (const double y : {0.0, 0.07, 0.15, 0.4}) {
+        double length = 0;
+        for (int i = 0; i < 1000; ++i) length += distance(placed(bent, {3e-4 * i, y}), placed(bent, {3e-4 * (i + 1), y}));
+        QVERIFY(std::abs(length - 0.3) < 1e-6); // as above
+    }
+    QVERIFY(!setCurl(tests::twoPanels(), front, Curl{{0, 1}, 0.1, BentLine{0, {{0, 0, 0}}}}));
+    QVERIFY(!setCurl(tests::twoPanels(), front, Curl{{0, 1}, 0.1, BentLine{0, {{0, 0, 0}, {0, 0, 0}}}}));
+    QCOMPARE(setCurl(tests::twoPanels(), front, bent.curl)->pieces[0]->placement->curl, bent.curl);
 }
 
 void tst_PatternPieces::aFabricInUseStays() {

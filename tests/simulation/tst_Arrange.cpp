@@ -6,6 +6,7 @@
 #include "core/simulation/Arrange.h"
 
 #include <QtTest>
+#include <algorithm>
 
 using namespace toile;
 using namespace toile::simulation;
@@ -20,11 +21,39 @@ const body::Body& usual() {
 body::Body shifted(body::Body body, const Vec3& by) {
     for (Vec3& p : body.mesh.vertices) p += by;
     body::Landmarks& m = body.landmarks;
-    for (Vec3* p : {&m.nape, &m.frontNeck, &m.neckLeft, &m.neckRight, &m.acromionLeft, &m.acromionRight, &m.bustLeft,
-                    &m.bustRight, &m.waist, &m.hip, &m.crotch, &m.wristLeft, &m.wristRight, &m.ankleLeft, &m.ankleRight})
+    for (Vec3* p : {&m.nape, &m.frontNeck, &m.neckLeft, &m.neckRight, &m.acromionLeft, &m.acromionRight,
+                    &m.bustLeft, &m.bustRight, &m.waist, &m.hip, &m.crotch, &m.wristLeft, &m.wristRight,
+                    &m.ankleLeft, &m.ankleRight})
         *p += by;
     for (body::LimbAxis& axis : body.axes)
         for (Vec3& p : axis.points) p += by;
+    return body;
+}
+
+/// The forearm turned to the front about an upright line through the middle of the arm.
+body::Body withLeftElbowBent(body::Body body, double angle) {
+    const Transform arm = *body::limbFrame(body, body::Limb::leftArm);
+    const double half = 0.5 * body::limbLength(body, body::Limb::leftArm);
+    const auto bend = [&](Vec3& p) {
+        const double along = dot(p - arm.origin, arm.axisY);
+        if (p.x < arm.origin.x || length(p - arm.origin - arm.axisY * along) > 0.15) return; // not of the arm
+        const double turn =
+            angle * std::clamp((along - half) / 0.1 + 0.5, 0.0, 1.0); // over 10 cm, so that nothing folds
+        const Vec3 elbow = arm.point({0, half, 0}), d = p - elbow;
+        // About x of the limb's frame, which is square to the arm and level: y goes to the front.
+        const double y = dot(d, arm.axisY), z = dot(d, arm.axisZ);
+        p = elbow + arm.axisX * dot(d, arm.axisX) + arm.axisY * (y * std::cos(turn) - z * std::sin(turn)) +
+            arm.axisZ * (y * std::sin(turn) + z * std::cos(turn));
+    };
+    std::ranges::for_each(body.mesh.vertices, bend);
+    bend(body.landmarks.wristLeft);
+    for (body::LimbAxis& axis : body.axes)
+        if (axis.limb == body::Limb::leftArm) {
+            const Vec3 root = axis.points.front(), end = axis.points.back();
+            axis.points.clear();
+            for (int i = 0; i <= 20; ++i) axis.points.push_back(lerp(root, end, i / 20.0));
+            std::ranges::for_each(axis.points, bend);
+        }
     return body;
 }
 
@@ -47,13 +76,17 @@ pattern::Pattern apron() {
 pattern::Pattern armlet() {
     const Transform arm = *body::limbFrame(usual(), body::Limb::leftArm);
     constexpr double radius = 0.07;
-    pattern::Piece piece = polygonPiece("armlet", {{-0.2, -0.04}, {0.2, -0.04}, {0.2, 0.04}, {-0.2, 0.04}}, 0.02);
-    piece.placement = pattern::Placement{{-arm.axisX, -arm.axisY, arm.axisZ, {}}, pattern::Curl{{0, 1}, radius}};
+    pattern::Piece piece =
+        polygonPiece("armlet", {{-0.2, -0.04}, {0.2, -0.04}, {0.2, 0.04}, {-0.2, 0.04}}, 0.02);
+    piece.placement =
+        pattern::Placement{{-arm.axisX, -arm.axisY, arm.axisZ, {}}, pattern::Curl{{0, 1}, radius}};
     piece.placement->transform.origin = arm.point({0, 0.25, radius});
     return onlyPiece(std::move(piece));
 }
 
-Vec3 originOf(const pattern::Pattern& pattern) { return pattern.pieces[0]->placement->transform.origin; }
+Vec3 originOf(const pattern::Pattern& pattern) {
+    return pattern.pieces[0]->placement->transform.origin;
+}
 
 double leastClearance(const pattern::Pattern& pattern, const body::Body& body) {
     const auto surface = collision::BodySurface::create(body.mesh);
@@ -66,7 +99,8 @@ double leastClearance(const pattern::Pattern& pattern, const body::Body& body) {
     }();
     for (int i = 0; i <= 40; ++i)
         for (int k = 0; k <= 10; ++k) {
-            const Vec2 at{box.low.x + (box.high.x - box.low.x) * i / 40, box.low.y + (box.high.y - box.low.y) * k / 10};
+            const Vec2 at{box.low.x + (box.high.x - box.low.x) * i / 40,
+                          box.low.y + (box.high.y - box.low.y) * k / 10};
             if (const auto near = surface->nearest(pattern::placed(*piece.placement, at), 0.2))
                 least = std::min(least, near->signedDistance);
         }
@@ -85,6 +119,9 @@ private slots:
     void onASlimmerBodyATubeIsNotRolledTighter();
     void aPieceThatWouldStartInTheBodyIsMovedOut();
     void aNarrowBandThatCrossesTheBodyIsMovedOut();
+    void onABentArmASleeveFollowsItAndKeepsItsGirth();
+    void aTrouserLegStartsOnItsOwnSide();
+    void aSkirtThatSpansBothLegsStays();
     void piecesWithoutPlacementStayWithout();
     void withoutLimbsNothingChanges();
 };
@@ -92,7 +129,8 @@ private slots:
 void tst_Arrange::onTheSameBodyNothingChanges() {
     for (const pattern::Pattern& pattern : {apron(), armlet()}) {
         const pattern::Pattern arranged = arrangedOn(pattern, usual(), usual());
-        const pattern::Placement &before = *pattern.pieces[0]->placement, &after = *arranged.pieces[0]->placement;
+        const pattern::Placement &before = *pattern.pieces[0]->placement,
+                                 &after = *arranged.pieces[0]->placement;
         constexpr double rounding = 1e-12;
         QVERIFY(geometry::distance(before.transform.origin, after.transform.origin) < rounding);
         QVERIFY(geometry::distance(before.transform.axisX, after.transform.axisX) < rounding);
@@ -106,7 +144,8 @@ void tst_Arrange::onAShiftedBodyPiecesGoAlong() {
     const Vec3 by{0.4, 0.1, -0.3};
     for (const pattern::Pattern& pattern : {apron(), armlet()}) {
         const pattern::Pattern arranged = arrangedOn(pattern, usual(), shifted(usual(), by));
-        QVERIFY(geometry::distance(originOf(arranged), originOf(pattern) + by) < 1e-9); // sections are cut anew
+        QVERIFY(geometry::distance(originOf(arranged), originOf(pattern) + by) <
+                1e-9); // sections are cut anew
     }
 }
 
@@ -117,7 +156,8 @@ void tst_Arrange::aPieceFollowsTheLimbThatItIsNearestTo() {
     const Vec3 d = originOf(arranged) - arm.origin;
     const double along = dot(d, arm.axisY) / body::limbLength(other, body::Limb::leftArm);
     QVERIFY(std::abs(along - 0.25 / body::limbLength(usual(), body::Limb::leftArm)) < 1e-9);
-    QVERIFY(std::abs(dot(arranged.pieces[0]->placement->transform.axisY, arm.axisY) + 1) < 1e-9); // still along it
+    QVERIFY(std::abs(dot(arranged.pieces[0]->placement->transform.axisY, arm.axisY) + 1) <
+            1e-9); // still along it
 }
 
 void tst_Arrange::onALargerBodyATubeIsWiderAndStaysClear() {
@@ -152,6 +192,42 @@ void tst_Arrange::aNarrowBandThatCrossesTheBodyIsMovedOut() { // its corners are
     const pattern::Pattern pattern = onlyPiece(std::move(band));
     QVERIFY(leastClearance(pattern, usual()) < 0);
     QVERIFY(leastClearance(startingClearOf(pattern, usual()), usual()) > 0.003);
+}
+
+void tst_Arrange::onABentArmASleeveFollowsItAndKeepsItsGirth() {
+    pattern::Pattern sleeve = armlet();
+    pattern::Piece longer = *sleeve.pieces[0];
+    for (auto& vertex : longer.outline.vertices)
+        vertex.position.y = vertex.position.y < 0 ? -0.22 : 0.08; // over the elbow
+    sleeve.pieces[0] = longer;
+    const body::Body bent = withLeftElbowBent(usual(), 0.6);
+    const pattern::Pattern arranged = arrangedOn(sleeve, usual(), bent);
+    const pattern::Placement& placement = *arranged.pieces[0]->placement;
+    QVERIFY(placement.curl->bent);
+    QVERIFY(leastClearance(arranged, bent) > 0.003); // the skin offset
+    for (const double y : {-0.22, -0.05, 0.08}) {
+        double girth = 0;
+        for (int i = 0; i < 400; ++i)
+            girth += geometry::distance(pattern::placed(placement, {-0.2 + 0.001 * i, y}),
+                                        pattern::placed(placement, {-0.199 + 0.001 * i, y}));
+        QVERIFY(std::abs(girth - 0.4) < 1e-5);
+    }
+}
+
+void tst_Arrange::aTrouserLegStartsOnItsOwnSide() {
+    pattern::Piece leg = polygonPiece("leg", {{-0.05, -0.7}, {0.2, -0.7}, {0.2, 0.2}, {0.02, 0.2}}, 0.02);
+    leg.placement = pattern::Placement{};
+    leg.placement->transform.origin = usual().landmarks.crotch + Vec3{0, 0, 0.3};
+    const pattern::Pattern arranged = startingClearOf(onlyPiece(leg), usual());
+    QVERIFY(std::abs(originOf(arranged).x - (usual().landmarks.crotch.x + 0.05)) < 1e-12);
+}
+
+void tst_Arrange::aSkirtThatSpansBothLegsStays() {
+    pattern::Piece skirt = polygonPiece("skirt", {{-0.2, -0.5}, {0.3, -0.5}, {0.3, 0.2}, {-0.2, 0.2}}, 0.02);
+    skirt.placement = pattern::Placement{};
+    skirt.placement->transform.origin = usual().landmarks.crotch + Vec3{0, 0, 0.3};
+    const pattern::Pattern pattern = onlyPiece(std::move(skirt));
+    QCOMPARE(originOf(startingClearOf(pattern, usual())), originOf(pattern));
 }
 
 void tst_Arrange::piecesWithoutPlacementStayWithout() {
