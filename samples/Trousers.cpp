@@ -19,10 +19,12 @@ struct LegPanel {
     double hip = 0;       ///< centre seam to side seam at the hip
     double extension = 0; ///< from the centre seam inward to the crotch point
     double knee = 0, hem = 0; ///< half widths
+    double legIn = 0;     ///< middle of knee and hem from the crease to the inside, where the body's leg is
     double dart = 0, dartLength = 0;
     double centreIn = 0, centreRise = 0; ///< of the centre seam's top
     double sideIn = 0, sideRise = 0;     ///< of the side seam's top
     double crotchDrop = 0;
+    double sideCurve = 0; ///< the side's top is by so much nearer to the upright than the line from hip to waist [rad]
 };
 
 struct Heights {
@@ -31,7 +33,8 @@ struct Heights {
 
 std::vector<Stroke> draft(const LegPanel& p, const Heights& y) {
     const double half = (p.hip + p.extension) / 2, shin = 0.4 * (y.knee - y.hem), thigh = 0.35 * (y.hip - y.knee);
-    const Vec2 hemIn{-p.hem, y.hem}, hemOut{p.hem, y.hem}, kneeIn{-p.knee, y.knee}, kneeOut{p.knee, y.knee};
+    const Vec2 hemIn{-p.legIn - p.hem, y.hem}, hemOut{-p.legIn + p.hem, y.hem};
+    const Vec2 kneeIn{-p.legIn - p.knee, y.knee}, kneeOut{-p.legIn + p.knee, y.knee};
     const Vec2 hip{half, y.hip}, sideTop{half - p.sideIn, y.top + p.sideRise};
     const Vec2 centreHip{half - p.hip, y.hip}, centreTop = centreHip + Vec2{p.centreIn, y.top + p.centreRise - y.hip};
     const Vec2 tip{-half, y.crotch - p.crotchDrop};
@@ -39,7 +42,7 @@ std::vector<Stroke> draft(const LegPanel& p, const Heights& y) {
     const double angle = std::asin(p.dart / 2 / p.dartLength);
     const Vec2 legSide = geometry::rotated({0, 1}, -angle), legCentre = geometry::rotated({0, 1}, angle);
     const Vec2 mouthSide = dartTip + p.dartLength * legSide, mouthCentre = dartTip + p.dartLength * legCentre;
-    const Vec2 down = normalized(centreHip - centreTop), up = normalized(sideTop - hip); // the side's top goes on straight
+    const Vec2 down = normalized(centreHip - centreTop), up = geometry::rotated(normalized(sideTop - hip), -p.sideCurve);
     const double quarter = 0.3 * distance(sideTop, mouthSide), rise = 0.35 * (sideTop.y - hip.y);
     const double crotchHeight = centreHip.y - tip.y, inner = 0.45 * (tip.y - y.knee);
     return {
@@ -78,7 +81,7 @@ struct Legs {
 };
 
 Heights heightsOf(const body::Measurements& m, const body::Landmarks& at, const TrousersSettings& s) {
-    const TrouserLevels levels = trouserLevels(m, at);
+    const TrouserLevels levels = trouserLevels(m, at, s);
     return {-s.waistbandWidth / 2, levels.hip, at.crotch.y - at.waist.y - s.crotchEase, levels.knee,
             s.ankleClearance - at.waist.y};
 }
@@ -87,11 +90,11 @@ Heights heightsOf(const body::Measurements& m, const body::Landmarks& at, const 
 /// inseams, the sides' slant by the waist, the back's side height by the side seams. Each hardly moves the others.
 Legs draftLegs(const body::Measurements& m, const body::Landmarks& at, const TrousersSettings& s) {
     const Heights y = heightsOf(m, at, s);
-    const double quarter = (m.hip + s.hipEase) / 4, thighY = trouserLevels(m, at).thigh;
-    LegPanel front{.hip = quarter - 0.010, .knee = s.kneeGirth / 4 - 0.005, .hem = s.hemGirth / 4 - 0.005, .dart = s.frontDart,
-                 .dartLength = 0.09, .centreIn = 0.008};
-    LegPanel back{.hip = quarter + 0.010, .knee = s.kneeGirth / 4 + 0.005, .hem = s.hemGirth / 4 + 0.005, .dart = s.backDart,
-                .dartLength = 0.11, .centreIn = 0.030, .centreRise = 0.022};
+    const double quarter = (m.hip + s.hipEase) / 4, thighY = trouserLevels(m, at, s).thigh;
+    LegPanel front{.hip = quarter - 0.010, .knee = s.kneeGirth / 4 - 0.005, .hem = s.hemGirth / 4 - 0.005, .legIn = 0.005,
+                   .dart = s.frontDart, .dartLength = 0.09, .centreIn = 0.008, .sideCurve = s.sideCurve};
+    LegPanel back{.hip = quarter + 0.010, .knee = s.kneeGirth / 4 + 0.005, .hem = s.hemGirth / 4 + 0.005, .legIn = 0.025,
+                  .dart = s.backDart, .dartLength = 0.11, .centreIn = 0.030, .centreRise = 0.022, .sideCurve = s.sideCurve};
     const auto solve = [](double& free, double low, double high, const auto& error) {
         free = rootOf([&](double value) {
             free = value;
@@ -158,8 +161,8 @@ std::vector<Side> waistEdge(const Piece& first, const Piece& second) {
 
 } // namespace
 
-TrouserLevels trouserLevels(const body::Measurements& m, const body::Landmarks& at) {
-    return {at.hip.y - at.waist.y, at.crotch.y - 0.03 - at.waist.y, 0.595 * m.insideLeg - at.waist.y};
+TrouserLevels trouserLevels(const body::Measurements& m, const body::Landmarks& at, const TrousersSettings& s) {
+    return {at.hip.y - at.waist.y, at.crotch.y - s.crotchEase - 0.03 - at.waist.y, 0.595 * m.insideLeg - at.waist.y};
 }
 
 document::Document trousers(const body::Measurements& m, const body::Body& body, const TrousersSettings& s) {
@@ -185,7 +188,8 @@ document::Document trousers(const body::Measurements& m, const body::Body& body,
     for (const auto& leg : {sewLeg("left", frontLeft, backLeft), sewLeg("right", frontRight, backRight)})
         seams.insert(seams.end(), leg.begin(), leg.end());
     document.avatarFile = "bodies/mannequin.glb";
-    document.scene.substeps = waistbandSubsteps;
+    document.scene.substeps = s.substeps;
+    document.scene.skinOffset = s.skinOffset;
     return document;
 }
 

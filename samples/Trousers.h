@@ -11,17 +11,21 @@ struct TrousersSettings {
     double spacing = 0.02;     ///< ε_m
     double waistEase = 0.01, hipEase = 0.045, thighEase = 0.055;
     double kneeGirth = 0.46, hemGirth = 0.42;
-    double crotchEase = 0.025; ///< crotch lower than the body's
+    double crotchEase = 0.030; ///< crotch lower than the body's
     double ankleClearance = 0.12; ///< hem above the floor
     double frontDart = 0.015, backDart = 0.030;
+    double sideCurve = 0.05;   ///< the sides arrive at the waist so much steeper than straight from the hip [rad]
     double waistbandWidth = 0.035;
+    double skinOffset = 0.002; ///< a fitted waistband lies closer to the skin than a blouse
+    int substeps = 160;        ///< of a frame step: the band is pulled tight over the hip
 };
 
 /// Heights in the pieces' coordinates at which the trousers are measured: y = 0 is the waist [m].
 struct TrouserLevels {
     double hip = 0, thigh = 0, knee = 0;
 };
-[[nodiscard]] TrouserLevels trouserLevels(const body::Measurements& measurements, const body::Landmarks& landmarks);
+[[nodiscard]] TrouserLevels trouserLevels(const body::Measurements& measurements, const body::Landmarks& landmarks,
+                                          const TrousersSettings& settings = {});
 
 /// Pieces: front-left, front-right, back-left, back-right, waistband.
 [[nodiscard]] document::Document trousers(const body::Measurements& measurements, const body::Body& body,
