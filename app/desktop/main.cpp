@@ -112,8 +112,7 @@ int main(int argc, char** argv) {
     window.show();
     QTimer::singleShot(0, &window, [&] { // dialogs need the loop running
         const QStringList files = parser.positionalArguments();
-        if (files.isEmpty()) window.files().offerRecovery();
-        else window.files().openFile(files.front());
+        if (!window.files().offerRecovery() && !files.isEmpty()) window.files().openFile(files.front());
         if (parser.isSet(play)) workbench.play();
     });
     return QApplication::exec();

@@ -139,6 +139,7 @@ void tst_DetailTools::twoClicksCutADart() {
     QVERIFY(std::abs(areaOf(hand.piece(0)) - (0.06 - 0.02 * 0.1 / 2)) < 1e-9);
     QCOMPARE(hand.document.pattern.seams.size(), std::size_t(1));
     QVERIFY(hand.selection == Selection{hand.document.pattern.seams[0].id});
+    QCOMPARE(hand.document.pattern.seams[0].name, std::string("Dart 1"));
 }
 
 void tst_DetailTools::shiftKeepsADartUpright() {

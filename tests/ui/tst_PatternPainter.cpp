@@ -35,6 +35,7 @@ private Q_SLOTS:
     void meshLinesAreSeenUnlessTooDense();
     void regionsAreTinted();
     void seamsAreColoured();
+    void pinsAreSeenAlsoWhilePointsAre();
     void selectionStandsOut();
     void overlayStandsOut();
     void gridStepsAreOneTwoFive();
@@ -73,6 +74,17 @@ void tst_PatternPainter::seamsAreColoured() {
     document.pattern.seams.push_back(seam);
     QVERIFY(different(paintedImage(document), paintedImage(twoRectangles())) > 300);
     QVERIFY(different(paintedImage(document, {}, {seam.id}), paintedImage(document)) > 300); // links to the partner
+}
+
+void tst_PatternPainter::pinsAreSeenAlsoWhilePointsAre() {
+    document::Document document = twoRectangles();
+    const pattern::Piece& piece = *document.pattern.pieces[0];
+    document.pattern.pins.push_back({pattern::PinId("n1"), piece.id, piece.outline.vertices[2].id});
+    for (const bool points : {false, true}) {
+        PatternLook look;
+        look.vertices = points;
+        QVERIFY(different(paintedImage(document, {}, {}, {}, look), paintedImage(twoRectangles(), {}, {}, {}, look)) > 80);
+    }
 }
 
 void tst_PatternPainter::selectionStandsOut() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pattern/PatternPainter.h"
 #include "ui/pattern/Colours.h"
+#include "ui/values/Picking.h"
 
 #include <QPainterPath>
 
@@ -114,18 +115,6 @@ void paintNotches(QPainter& painter, const ViewTransform& view, const FlatPiece&
     }
 }
 
-/// Points that are held: pin heads.
-void paintPins(QPainter& painter, const ViewTransform& view, const FlatPiece& piece, const Pattern& pattern) {
-    for (const Pin& pin : pattern.pins) {
-        if (pin.piece != piece.piece.id) continue;
-        const auto place = placeOf(piece.piece, pin.vertex);
-        if (!place) continue;
-        painter.setPen(QPen(Qt::white, 1.5));
-        painter.setBrush(colours::warning);
-        painter.drawEllipse(view.toScreen(piece.contour(place->loop).vertices[place->vertex].position), 5, 5);
-    }
-}
-
 void paintInternalLines(QPainter& painter, const ViewTransform& view, const Piece& piece) {
     painter.setPen(QPen(colours::quiet, 1, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
@@ -193,7 +182,6 @@ void paintPieces(QPainter& painter, const ViewTransform& view, const PatternPict
         paintNotches(painter, view, piece);
         paintGrain(painter, view, piece);
         paintHighlights(painter, view, piece, picture);
-        paintPins(painter, view, piece, picture.pattern);
         if (picture.look.names) paintName(painter, view, piece);
     }
 }
@@ -225,6 +213,13 @@ void paintPoints(QPainter& painter, const ViewTransform& view, const PatternPict
         }
 }
 
+void paintPins(QPainter& painter, const ViewTransform& view, const PatternPicture& picture) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colours::warning, 2.4));
+    for (const Pin& pin : picture.pattern.pins)
+        if (const auto at = positionOf(picture.flat, VertexRef{pin.piece, pin.vertex})) painter.drawEllipse(view.toScreen(*at), 7, 7);
+}
+
 void paint(QPainter& painter, const ViewTransform& view, const PatternPicture& picture) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(QRectF({0, 0}, view.size), colours::canvas);
@@ -232,6 +227,7 @@ void paint(QPainter& painter, const ViewTransform& view, const PatternPicture& p
     paintPieces(painter, view, picture);
     if (picture.look.seams) paintSeams(painter, view, picture);
     if (picture.look.vertices) paintPoints(painter, view, picture);
+    paintPins(painter, view, picture);
     paintOverlay(painter, view, picture.overlay);
     if (picture.look.grid) paintRulers(painter, view);
 }

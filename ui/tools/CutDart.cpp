@@ -9,6 +9,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace toile::ui {
 namespace {
 
@@ -27,6 +29,15 @@ std::vector<Vec2> edgePath(const FlatPattern& flat, const EdgeRef& edge) {
 std::array<Vec2, 2> mouthEnds(const std::vector<Vec2>& path, double middle, double width) {
     const double half = width / 2 / lengthOf(path);
     return {pointAlong(path, middle - half).position, pointAlong(path, middle + half).position};
+}
+
+/// Darts are seams of a piece with itself.
+QString newName(const Pattern& pattern) {
+    const auto darts = std::ranges::count_if(pattern.seams, [](const Seam& seam) {
+        const auto &in = seam.sides[0], &out = seam.sides[1];
+        return in.size() == 1 && out.size() == 1 && in.front().piece == out.front().piece;
+    });
+    return tr("Dart %1").arg(darts + 1);
 }
 
 } // namespace
@@ -50,7 +61,7 @@ Effect CutDart::press(const Desk& desk, const PointerEvent& event) {
     const std::size_t seams = desk.document.pattern.seams.size();
     Effect effect =
         effectOf(tr("Cut dart"), document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
-                     return addDart(pattern, owner.piece, dart, tr("Dart").toStdString(), ids);
+                     return addDart(pattern, owner.piece, dart, newName(pattern).toStdString(), ids);
                  }));
     if (!effect.edit) return effect; // the mouth stays: the tip may be better elsewhere
     if (const auto& now = effect.edit->after.pattern.seams; now.size() > seams)

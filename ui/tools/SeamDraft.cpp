@@ -44,9 +44,11 @@ bool meet(const Desk& desk, const End& a, const End& b) {
         return (isSame(a, c) && isSame(b, d)) || (isSame(a, d) && isSame(b, c));
     };
     return std::ranges::any_of(desk.document.pattern.seams, [&](const Seam& seam) {
-        const auto &one = seam.sides[0], &other = seam.sides[1];
-        return joins(firstEnd(desk.flat, one.front()), firstEnd(desk.flat, other.front())) ||
-               joins(lastEnd(desk.flat, one.back()), lastEnd(desk.flat, other.back()));
+        const auto one = pathsOf(desk.flat, seam.sides[0]), other = pathsOf(desk.flat, seam.sides[1]);
+        if (one.empty() || other.empty()) return false;
+        const PieceId &first = seam.sides[0].front().piece, &last = seam.sides[0].back().piece;
+        return joins({first, one.front().front()}, {seam.sides[1].front().piece, other.front().front()}) ||
+               joins({last, one.back().back()}, {seam.sides[1].back().piece, other.back().back()});
     });
 }
 

@@ -114,9 +114,9 @@ bool FileCommands::mayDiscard() {
     }
 }
 
-void FileCommands::offerRecovery() {
+bool FileCommands::offerRecovery() {
     Journal* journal = workbench_.journal();
-    if (!journal) return;
+    if (!journal) return false;
     for (const Journal::Leftover& leftover : journal->leftovers()) {
         const QString name = leftover.path.isEmpty() ? tr("a pattern that was never saved") : QFileInfo(leftover.path).fileName();
         QMessageBox box(QMessageBox::Question, tr("Recover unsaved work"),
@@ -133,8 +133,9 @@ void FileCommands::offerRecovery() {
             complain(tr("The work cannot be recovered"), recovered.error());
             continue;
         }
-        return; // more of them are offered at the next start
+        return true; // more of them are offered at the next start
     }
+    return false;
 }
 
 void FileCommands::fillRecent(QMenu& menu) {

@@ -30,8 +30,8 @@ public:
     void openSample(const QString& path);
     /// Asks what to do with unsaved changes; false = stay.
     [[nodiscard]] bool mayDiscard();
-    /// Offers what a program that ended by accident has left.
-    void offerRecovery();
+    /// Offers what a program that ended by accident has left; true when the user goes on with it.
+    bool offerRecovery();
 
     void fillRecent(QMenu& menu);
     void fillSamples(QMenu& menu);

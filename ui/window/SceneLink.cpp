@@ -56,6 +56,7 @@ SceneLink::SceneLink(Workbench& workbench, View3D& view, QObject* parent)
     connect(&workbench, &Workbench::playingChanged, this, &SceneLink::showSelection);
     connect(&view, &View3D::pieceClicked, this, [this](const std::string& id) {
         workbench_.select(id.empty() ? Selection{} : Selection{PieceId(id)});
+        if (!id.empty() && gizmoWanted_ && isDraped()) workbench_.tell(tr("Reset the simulation to move pieces round the body."));
     });
     connect(&view, &View3D::placementDragged, this, &SceneLink::dragPlacement);
     showBody();
@@ -67,6 +68,8 @@ void SceneLink::setGizmoWanted(bool wanted) {
     gizmoWanted_ = wanted;
     showSelection();
 }
+
+bool SceneLink::isDraped() const { return workbench_.frame() && workbench_.frame()->time > 0; }
 
 void SceneLink::showBody() { view_.setBody(workbench_.body()); }
 
@@ -97,8 +100,7 @@ void SceneLink::showSelection() {
     const PieceId id = selection.empty() ? PieceId() : pieceOf(selection.back());
     view_.setSelection(id.value);
     const Piece* piece = findPiece(workbench_.document().pattern, id);
-    const bool draped = workbench_.frame() && workbench_.frame()->time > 0;
-    const bool movable = piece && piece->placement && gizmoWanted_ && !draped && !workbench_.isPlaying();
+    const bool movable = piece && piece->placement && gizmoWanted_ && !isDraped() && !workbench_.isPlaying();
     view_.setGizmo(movable ? std::optional(piece->placement->transform) : std::nullopt);
 }
 

@@ -19,6 +19,8 @@ public:
     void setGizmoWanted(bool wanted);
 
 private:
+    /// The cloth has left the places where its pieces start.
+    [[nodiscard]] bool isDraped() const;
     void showBody();
     void showFrame();
     void showColours();
