@@ -63,7 +63,9 @@ std::unique_ptr<Integrator> makeIntegrator(Method method, const cloth::ClothMode
                                                              .speedLimit = settings.speedLimit},
                                                 settings.substeps);
     case Method::trBdf2:
-        return rungeKutta(trBdf2());
+        if (settings.positionTolerance == 0) return rungeKutta(trBdf2());
+        return std::make_unique<AdaptiveTrBdf2>(
+            model, AdaptiveSettings{.implicit = implicit, .tolerance = settings.positionTolerance});
     case Method::backwardEuler:
         return rungeKutta(backwardEuler());
     case Method::bdf2:

@@ -428,7 +428,7 @@ std::vector<Vec3> Minimiser::resisted(std::span<const Vec3> change, double inert
         }
         double largest = 0;
         for (const Vec3& r : right) largest = std::max(largest, length(r));
-        if (const auto x = d.solver.solve(shift, right, 1e-2 * largest))
+        if (const auto x = d.solver.solve(shift, right, 0.05 * largest))
             for (int u = 0; u < d.eliminated.count(); ++u) result[d.eliminated.free()[u]] = (*x)[u];
     }
     d.eliminated.place(result);

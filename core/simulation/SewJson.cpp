@@ -91,6 +91,7 @@ Json toJson(const SewReport& report) {
                  Json item;
                  item.set("name", nameOf(phase.phase)).set("method", std::string(phase.method)).set("simulatedSeconds", phase.seconds);
                  item.set("parts", phase.steps.parts).set("newtonIterations", phase.steps.newtonIterations);
+                 item.set("factorizations", phase.steps.factorizations).set("gradientIterations", phase.steps.gradientIterations);
                  item.set("repeatedParts", phase.steps.repeated).set("unsolvedSteps", phase.unsolvedSteps);
                  return item;
              }));

@@ -76,6 +76,24 @@ private slots:
         QVERIFY(after.report.repeated > 0);
     }
 
+    void aToleranceMakesTheMethodAdaptive() {
+        const Flap sheet = flap(8, 100);
+        const auto partsOf = [&](double tolerance) {
+            dynamics::ParticleState state = sheet.state;
+            const auto integrator = dynamics::makeIntegrator(dynamics::Method::trBdf2, sheet.model,
+                                                             {.positionTolerance = tolerance});
+            int parts = 0;
+            for (int i = 0; i < 12; ++i) {
+                const auto step = integrator->step(state, 1.0 / 30, gravity);
+                if (!step) qFatal("%s", toString(step.error()).c_str());
+                parts += step->parts;
+            }
+            return parts;
+        };
+        QCOMPARE(partsOf(0), 12);
+        QVERIFY(partsOf(1e-6) > 24);
+    }
+
     void aJoltShortensTheParts() {
         Flap sheet = flap(8, 100);
         AdaptiveTrBdf2 integrator(sheet.model, {{.damping = flapDamping}, 1e-4});
