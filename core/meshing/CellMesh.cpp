@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/CellMesh.h"
 
+#include "core/meshing/FlatTriangles.h"
+
 #include <algorithm>
 
 namespace toile::meshing {
@@ -38,9 +40,10 @@ private:
             for (int column = 0; column < lattice_.columns(); ++column) {
                 const int u = lattice_.activeDivision(column, row);
                 if (u == 0) continue;
-                const bool finerBeside =
-                    lattice_.horizontalDivision(column, row) > u || lattice_.horizontalDivision(column, row + 1) > u ||
-                    lattice_.verticalDivision(column, row) > u || lattice_.verticalDivision(column + 1, row) > u;
+                const bool finerBeside = lattice_.horizontalDivision(column, row) > u ||
+                                         lattice_.horizontalDivision(column, row + 1) > u ||
+                                         lattice_.verticalDivision(column, row) > u ||
+                                         lattice_.verticalDivision(column + 1, row) > u;
                 for (int b = 0; b < u; ++b)
                     for (int a = 0; a < u; ++a)
                         if (filled(column, row, a, b)) addCell(column, row, a, b, u, finerBeside);
@@ -235,8 +238,10 @@ void triangulateStrip(const Lattice& lattice, CellMesh& mesh) {
     walls.reserve(mesh.layer.walls.size());
     for (const Constraint& wall : mesh.layer.walls)
         walls.push_back({local(wall.from), local(wall.to), wall.fillLeft});
+    std::vector<std::array<int, 3>> triangles = constrainedDelaunay(points, walls);
+    turnFlatTriangles(points, triangles);
     mesh.triangles.clear();
-    for (const auto& corners : constrainedDelaunay(points, walls)) {
+    for (const auto& corners : triangles) {
         Triangle triangle;
         Vec2 middle;
         for (std::size_t i = 0; i < 3; ++i) {

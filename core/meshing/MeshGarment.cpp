@@ -39,12 +39,35 @@ void refineOnce(const std::vector<BoundarySpot>& spots, int piece, BoundaryDivis
     }
 }
 
+/// Refuses nodes so near one another that the integer grid could not tell a straight line from a bent one.
+Result<void> nodesApart(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
+                        const BoundaryDivision& division) {
+    constexpr double least = 64; // units
+    for (std::size_t p = 0; p < input.pieces.size(); ++p)
+        for (int loop = 0; loop < loopCount(input.pieces[p]); ++loop)
+            for (int e = 0; e < static_cast<int>(loopOf(input.pieces[p], loop).size()); ++e) {
+                const double length = boundaries[p].loops[at(loop)].edges[at(e)].length;
+                for (const Stretch& stretch : division.stretches(static_cast<int>(p), loop, e)) {
+                    const int count = division.count(stretch);
+                    const double spacing = length * (stretch.to - stretch.from) / count;
+                    if (count > 1 && spacing < least * boundaries[p].frame.unit)
+                        return fail(ErrorCode::invalidInput,
+                                    "What is sewn to the edge asks for " + std::to_string(count) +
+                                        " nodes on " + millimetres(spacing * count) +
+                                        " of it; gather less, or choose larger spacings.",
+                                    {.object = nameOf(input.pieces[p], loop, e)});
+                }
+            }
+    return {};
+}
+
 /// Divides all borders, finer where the polygon through the nodes would cross itself.
 Result<BoundaryDivision> dividedBorders(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
                                         const std::vector<CheckedSeam>& seams, const FixedPoints& points,
                                         const SpacingAlong& spacing, std::vector<BoundaryNodes>& nodes) {
     auto division = BoundaryDivision::create(input, boundaries, seams, points, spacing);
     if (!division) return division;
+    if (auto apart = nodesApart(input, boundaries, *division); !apart) return tl::unexpected(apart.error());
     std::vector<std::size_t> firstCounts;
     for (;;) {
         bool coarse = false;
@@ -162,6 +185,20 @@ Result<Lattice> latticeOf(const PieceInput& piece, const PieceBoundary& boundary
     return lattice;
 }
 
+/// Details of the border as small as the rounding of the grid leave triangles without area in material
+/// coordinates.
+Result<void> everyTriangleHasArea(const PieceInput& piece, const PieceFrame& frame, const CellMesh& cells) {
+    for (const Triangle& triangle : cells.triangles) {
+        const auto corner = [&](std::size_t i) { return cells.position[at(triangle.nodes[i])]; };
+        if (cross(corner(1) - corner(0), corner(2) - corner(0)) > 0) continue;
+        return fail(ErrorCode::invalidInput,
+                    "The border comes nearer to itself than " + micrometres(8 * frame.unit) + " at " +
+                        pointText(frame.pointFromFrame(corner(0))) + ".",
+                    {.object = nameOf(piece)});
+    }
+    return {};
+}
+
 /// From frozen border nodes to the finished mesh.
 Result<PieceMesh> meshedPiece(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,
                               const BoundaryNodes& nodes, const BoundaryDivision& division,
@@ -176,6 +213,8 @@ Result<PieceMesh> meshedPiece(const PieceInput& piece, int pieceIndex, const Pie
     GridFill fill = fillLattice(boundary.frame, nodes, lattice);
     CellMesh cells = cellMesh(boundary.frame, nodes, lattice, fill);
     improveStrip(boundary.frame, nodes, lattice, fill, cells);
+    if (auto sound = everyTriangleHasArea(piece, boundary.frame, cells); !sound)
+        return tl::unexpected(sound.error());
     mergePairs(cells);
     return finishedPiece(boundary.frame, nodes, cells).mesh;
 }

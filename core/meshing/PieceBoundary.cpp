@@ -256,6 +256,12 @@ std::string millimetres(double length) {
     return text;
 }
 
+std::string micrometres(double length) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.2g µm", length * 1e6);
+    return text;
+}
+
 const BoundaryLoop& loopOf(const PieceInput& piece, int loop) {
     return loop == 0 ? piece.outline : piece.holes[static_cast<std::size_t>(loop - 1)];
 }

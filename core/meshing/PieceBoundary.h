@@ -37,6 +37,7 @@ struct PieceBoundary {
 /// "(12.3, −4.0) mm"
 [[nodiscard]] std::string pointText(Vec2 point);
 [[nodiscard]] std::string millimetres(double length);
+[[nodiscard]] std::string micrometres(double length);
 
 [[nodiscard]] const BoundaryLoop& loopOf(const PieceInput& piece, int loop);
 [[nodiscard]] int loopCount(const PieceInput& piece);

@@ -158,8 +158,8 @@ Failure pairNotches(const MeshInput& input, const SeamInput& seam, CheckedSeam& 
     checked.anchors.push_back(end);
     for (const SeamSectionInput& section : seam.sections) {
         if (!std::isfinite(section.ease) ||
-            (section.gatherRatio && !(*section.gatherRatio > 0 && *section.gatherRatio < 100)))
-            return seamError(seam, "The ease must be a number and a gather ratio positive.");
+            (section.gatherRatio && !(*section.gatherRatio > 0.01 && *section.gatherRatio < 100)))
+            return seamError(seam, "The ease must be a number, and a gather ratio between 0.01 and 100.");
         checked.ease += section.ease;
     }
     const bool perSection = seam.sections.size() == checked.anchors.size() - 1;

@@ -8,12 +8,17 @@
 /// Random garments: a seed means the same input everywhere.
 namespace toile::meshing {
 
+/// SplitMix64 (Steele 2014): neighbouring seeds have nothing in common.
 class Random {
 public:
-    explicit Random(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15ULL + 0x2545f4914f6cdd1dULL) {}
+    explicit Random(std::uint64_t seed) : state_(seed) {}
     double operator()(double low, double high) {
-        state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
-        return low + (high - low) * static_cast<double>(state_ >> 11) / 9007199254740992.0;
+        state_ += 0x9e3779b97f4a7c15ULL;
+        std::uint64_t z = state_;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+        z ^= z >> 31;
+        return low + (high - low) * static_cast<double>(z >> 11) / 9007199254740992.0;
     }
     int whole(int low, int high) { return low + static_cast<int>((*this)(0, 1) * (high - low + 1)); }
     bool chance(double probability) { return (*this)(0, 1) < probability; }
@@ -38,7 +43,7 @@ public:
 private:
     PieceInput piece(int number) {
         PieceInput piece;
-        switch (random_.whole(0, 6)) {
+        switch (random_.whole(0, 12)) {
         case 0:
             piece.outline = loopThrough(star({0, 0}, random_.whole(3, 14)));
             break;
@@ -57,18 +62,23 @@ private:
         case 5:
             piece.outline = circleLoop({random_(-1, 1), random_(-1, 1)}, random_(0.02, 0.3));
             break;
-        default:
+        case 6:
             piece.outline = loopThrough(garbage());
+            break;
+        default:
+            piece.outline =
+                loopThrough(star({random_(-1, 1), random_(-1, 1)}, random_.whole(3, 20), 0.1, 0.3));
             break;
         }
         piece.label = "P" + std::to_string(number);
-        piece.spacing = std::pow(10.0, random_(-2.2, -0.7));
+        piece.spacing = std::pow(10.0, random_(-1.9, -0.7));
         curve(piece);
         for (BoundaryEdge& edge : piece.outline)
             if (random_.chance(0.15)) edge.notches = {random_(0.05, 0.5), random_(0.5, 0.95)};
-        for (int n = random_.chance(0.4) ? random_.whole(1, 3) : 0; n > 0; --n) piece.holes.push_back(hole());
+        for (int n = random_.chance(0.3) ? random_.whole(1, 3) : 0; n > 0; --n)
+            piece.holes.push_back(hole(within(piece)));
         for (int n = random_.chance(0.4) ? random_.whole(1, 3) : 0; n > 0; --n)
-            piece.regions.push_back(region(n));
+            piece.regions.push_back(region(n, within(piece)));
         piece.grain = random_.chance(0.5) ? 0 : random_(-4, 4);
         piece.rule = static_cast<LineRule>(random_.chance(0.6) ? 0 : random_.whole(0, 2));
         piece.border = static_cast<RegionBorder>(random_.whole(0, 1));
@@ -142,33 +152,49 @@ private:
     }
 
     void curve(PieceInput& piece) {
-        if (!random_.chance(0.4)) return;
+        if (!random_.chance(0.3)) return;
         for (BoundaryEdge& edge : piece.outline) {
             if (!std::holds_alternative<geometry::LineShape>(edge.curve.shape) || !random_.chance(0.3))
                 continue;
             const Vec2 along = edge.curve.end - edge.curve.start;
             if (random_.chance(0.5))
-                edge.curve.shape = geometry::ArcShape{random_(-0.4, 0.4)};
+                edge.curve.shape = geometry::ArcShape{random_(-0.1, 0.1)};
             else
                 edge.curve.shape = geometry::CubicShape{
-                    edge.curve.start + along * random_(0.1, 0.5) + leftOf(along) * random_(-0.2, 0.2),
-                    edge.curve.start + along * random_(0.5, 0.9) + leftOf(along) * random_(-0.2, 0.2)};
+                    edge.curve.start + along * random_(0.1, 0.5) + leftOf(along) * random_(-0.06, 0.06),
+                    edge.curve.start + along * random_(0.5, 0.9) + leftOf(along) * random_(-0.06, 0.06)};
         }
     }
 
-    BoundaryLoop hole() {
-        const Vec2 centre{random_(-0.1, 0.3), random_(-0.1, 0.3)};
-        if (random_.chance(0.4)) return circleLoop(centre, random_(0.002, 0.08), true);
-        std::vector<Vec2> corners = star(centre, random_.whole(3, 8), 0.003, 0.06);
+    /// Mostly a point inside the outline.
+    Vec2 within(const PieceInput& piece) {
+        Polygon outline;
+        for (const BoundaryEdge& edge : piece.outline) outline.push_back(edge.curve.start);
+        if (piece.outline.size() == 2) return lerp(outline[0], outline[1], random_(0.2, 0.8)); // a circle
+        const geometry::Box2 box = geometry::boundsOf(outline);
+        Vec2 point;
+        for (int attempt = 0; attempt < 12; ++attempt) {
+            point = {random_(box.low.x, box.high.x), random_(box.low.y, box.high.y)};
+            if (geometry::windingNumber(outline, point) != 0) break;
+        }
+        return point;
+    }
+
+    BoundaryLoop hole(Vec2 centre) {
+        const double size = std::pow(10.0, random_(-3, -1.2));
+        if (random_.chance(0.4)) return circleLoop(centre, size, true);
+        std::vector<Vec2> corners = star(centre, random_.whole(3, 8), 0.3 * size, size);
         std::reverse(corners.begin(), corners.end());
         return loopThrough(corners);
     }
 
-    RegionInput region(int number) {
+    RegionInput region(int number, Vec2 centre) {
         RegionInput region{"r" + std::to_string(number), {}, {}, random_.whole(0, 3)};
-        const Vec2 centre{random_(-0.2, 0.4), random_(-0.2, 0.4)};
-        region.outline = random_.chance(0.5) ? star(centre, random_.whole(3, 9), 0.03, 0.2)
-                                             : box(random_(0.02, 0.3), random_(0.02, 0.3));
+        const double size = random_(0.03, 0.2);
+        region.outline = star(centre, random_.whole(3, 9), 0.6 * size, size);
+        if (random_.chance(0.5))
+            region.outline = {centre, centre + Vec2{size, 0}, centre + Vec2{size, size},
+                              centre + Vec2{0, size}};
         if (random_.chance(0.3)) region.holes.push_back(star(centre, 5, 0.005, 0.03));
         return region;
     }

@@ -3,6 +3,7 @@
 
 #ifndef Q_MOC_RUN // moc stumbles over the library's concepts
 #include "core/meshing/ConstrainedDelaunay.h"
+#include "core/meshing/FlatTriangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,7 @@ private slots:
     void constraintsAreEdges();
     void collinearAndCocircularPointsAreFilled();
     void theOrderOfPointsDoesNotMatter();
+    void aFlatTriangleOnTheBorderIsTurned();
 };
 
 namespace {
@@ -140,6 +142,22 @@ void tst_ConstrainedDelaunay::theOrderOfPointsDoesNotMatter() {
     QCOMPARE(a.size(), b.size());
     for (std::size_t t = 0; t < a.size(); ++t)
         for (std::size_t i = 0; i < 3; ++i) QCOMPARE(placeOf[at(a[t][i])], b[t][i]);
+}
+
+void tst_ConstrainedDelaunay::aFlatTriangleOnTheBorderIsTurned() {
+    // The middle node of a straight edge lies one unit beside it.
+    const std::vector<GridPoint> points{{0, 0}, {1000, -1}, {2000, 0}, {1000, 1500}};
+    std::vector<std::array<int, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
+    turnFlatTriangles(points, triangles);
+    for (const auto& t : triangles) {
+        QVERIFY(orientation(points[static_cast<std::size_t>(t[0])], points[static_cast<std::size_t>(t[1])],
+                            points[static_cast<std::size_t>(t[2])]) > 1000000);
+        QVERIFY(std::find(t.begin(), t.end(), 1) != t.end() && std::find(t.begin(), t.end(), 3) != t.end());
+    }
+    triangles = {{0, 1, 3}, {1, 2, 3}}; // nothing flat: nothing changes
+    const auto before = triangles;
+    turnFlatTriangles(points, triangles);
+    QVERIFY(triangles == before);
 }
 
 QTEST_APPLESS_MAIN(tst_ConstrainedDelaunay)

@@ -14,6 +14,11 @@ class tst_HardInputs : public QObject {
 private slots:
     void isMeshed_data();
     void isMeshed();
+    void isMeshedWhateverTheGrain_data();
+    void isMeshedWhateverTheGrain();
+    void aGrainAt17DegreesHasItsOwnRectangles();
+    void aGrainAt45DegreesHasItsOwnRectangles();
+    void aScaledPieceHasTheSameMesh();
     void isRefused_data();
     void isRefused();
     void aNarrowPieceHasOneRow();
@@ -24,6 +29,9 @@ private slots:
     void seamOfAnEdgeWithItself();
     void seamWithAnEdgeOfNoLength();
     void seamChainTurnedTheWrongWay();
+    void aClosedSeamChainMustBeTurnedOneWay();
+    void aDartOnABiasPieceClosesAtOneTip();
+    void aSlitOfThreeUnitsIsRefusedWithItsPlace();
     void seamsThatWalkTheirPointsForEver();
 };
 
@@ -157,6 +165,97 @@ void tst_HardInputs::isMeshed() {
     }
 }
 
+void tst_HardInputs::isMeshedWhateverTheGrain_data() {
+    isMeshed_data();
+    const double e = 0.02;
+    QTest::addRow("a digitised outline of 1e5 points") << digitised(100000);
+    QTest::addRow("a wide dart") << polygonPiece(
+        {{0, 0}, {0.09, 0}, {0.1, 0.12}, {0.11, 0}, {0.2, 0}, {0.2, 0.3}, {0, 0.3}}, e);
+    PieceInput ring = circlePiece(0.2, e);
+    ring.holes.push_back(circleLoop({0.03, 0.02}, 0.08, true));
+    QTest::addRow("a ring") << ring;
+    QTest::addRow("1 mm across the grain") << rectanglePiece(0.0007, 0.001, 0.0001);
+    PieceInput giant = circlePiece(50, 2);
+    giant.holes.push_back(circleLoop({10, 5}, 12, true));
+    QTest::addRow("a ring of 100 m") << giant;
+}
+
+void tst_HardInputs::isMeshedWhateverTheGrain() {
+    QFETCH(PieceInput, piece);
+    for (const double degrees : {17.0, 45.0, -163.0}) {
+        piece.grain = degrees * std::numbers::pi / 180;
+        const auto garment = meshGarment(inputOf(piece));
+        QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
+        QCOMPARE(QString::fromStdString(defectOf(garment->pieces[0], static_cast<int>(piece.holes.size()))),
+                 QString());
+        const PieceReport& report = garment->report.total;
+        QCOMPARE(report.invertedCells + report.missingBoundaryNodes + report.nonManifoldEdges, 0);
+    }
+}
+
+namespace {
+
+/// The directions of all sides of all rectangles, as seen in the piece, in degrees from the grain's.
+double largestTurnFromGrain(const PieceMesh& mesh, double grain) {
+    double largest = 0;
+    for (const Rectangle& r : mesh.rectangles) {
+        const Vec2 weft = mesh.nodes[static_cast<std::size_t>(r.nodes[1])] -
+                          mesh.nodes[static_cast<std::size_t>(r.nodes[0])];
+        const Vec2 expected = geometry::rotated({1, 0}, grain);
+        largest = std::max(largest, std::abs(std::atan2(cross(expected, weft), dot(expected, weft))));
+    }
+    return largest * 180 / std::numbers::pi;
+}
+
+} // namespace
+
+void tst_HardInputs::aGrainAt17DegreesHasItsOwnRectangles() {
+    PieceInput piece = rectanglePiece(0.5, 0.4, 0.01);
+    piece.grain = 17 * std::numbers::pi / 180;
+    const auto garment = meshGarment(inputOf(piece));
+    QVERIFY(garment);
+    QVERIFY(largestTurnFromGrain(garment->pieces[0], piece.grain) <
+            1e-4); // border nodes lie on lines to 2 units of the grid
+    const PieceReport& report = garment->report.total;
+    QVERIFY(report.rectangleFraction >
+            0.88); // a strip of one element for each of 180 border nodes, of some 2000
+    QVERIFY(report.minimumAngle > 28 * std::numbers::pi / 180);
+    QVERIFY(report.areaRelativeError < 1e-12); // straight edges
+}
+
+void tst_HardInputs::aGrainAt45DegreesHasItsOwnRectangles() {
+    PieceInput piece = rectanglePiece(0.4, 0.4, 0.01);
+    piece.grain = std::numbers::pi / 4;
+    const auto garment = meshGarment(inputOf(piece));
+    QVERIFY(garment);
+    QVERIFY(largestTurnFromGrain(garment->pieces[0], piece.grain) < 1e-4);
+    QVERIFY(garment->report.total.rectangleFraction > 0.80); // the border crosses √2 lines a node: more triangles
+    QVERIFY(garment->report.total.minimumAngle > 28 * std::numbers::pi / 180);
+}
+
+void tst_HardInputs::aScaledPieceHasTheSameMesh() {
+    // By powers of two, which doubles scale without rounding; 0.3 mm to 635 m.
+    const auto scaledBodice = [](double factor) {
+        PieceInput piece = bodicePiece(0.02 * factor);
+        for (BoundaryEdge& edge : piece.outline) {
+            edge.curve.start = edge.curve.start * factor;
+            edge.curve.end = edge.curve.end * factor;
+            if (auto* cubic = std::get_if<geometry::CubicShape>(&edge.curve.shape))
+                *cubic = {cubic->control1 * factor, cubic->control2 * factor};
+        }
+        return piece;
+    };
+    const auto first = meshGarment(inputOf(scaledBodice(1)));
+    QVERIFY(first);
+    for (const double factor : {1.0 / 2048, 1.0 / 16, 64.0, 1024.0}) {
+        const auto scaled = meshGarment(inputOf(scaledBodice(factor)));
+        QVERIFY2(scaled, scaled ? "" : toString(scaled.error()).c_str());
+        QCOMPARE(QString::fromStdString(defectOf(scaled->pieces[0])), QString());
+        QCOMPARE(scaled->pieces[0].loops[0].size(), first->pieces[0].loops[0].size());
+        QCOMPARE(scaled->report.total.rectangles, first->report.total.rectangles);
+    }
+}
+
 void tst_HardInputs::isRefused_data() {
     QTest::addColumn<PieceInput>("piece");
     QTest::addColumn<QString>("words");
@@ -280,6 +379,54 @@ void tst_HardInputs::seamChainTurnedTheWrongWay() {
     compareError(meshGarment(input), "seam \"side seam\"", "does not exist");
     input.seams = {seamOf({{0, 0, 0, 0.5, 0.2}}, {{1, 0, 0}})};
     compareError(meshGarment(input), "seam \"side seam\"", "fraction");
+}
+
+void tst_HardInputs::aClosedSeamChainMustBeTurnedOneWay() {
+    // The whole border of one square round that of another, as a sleeve goes into its armhole.
+    MeshInput input{{rectanglePiece(0.2, 0.2, 0.02), rectanglePiece(0.2, 0.2, 0.02)}, {}};
+    const std::vector<SeamPartInput> round{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, 3}};
+    std::vector<SeamPartInput> back{
+        {1, 0, 3, 0, 1, true}, {1, 0, 2, 0, 1, true}, {1, 0, 1, 0, 1, true}, {1, 0, 0, 0, 1, true}};
+    input.seams = {seamOf(round, back)};
+    const auto closed = meshGarment(input);
+    QVERIFY2(closed, closed ? "" : toString(closed.error()).c_str());
+    QVERIFY(closed->seams[0].pairs.front() == closed->seams[0].pairs.back());
+    back[2].reversed = false;
+    input.seams = {seamOf(round, back)};
+    compareError(meshGarment(input), "seam \"side seam\"", "edge \"e1\" in the wrong direction");
+}
+
+void tst_HardInputs::aDartOnABiasPieceClosesAtOneTip() {
+    for (const double degrees : {17.0, 45.0}) {
+        PieceInput piece =
+            polygonPiece({{0, 0}, {0.09, 0}, {0.1, 0.12}, {0.11, 0}, {0.2, 0}, {0.2, 0.3}, {0, 0.3}}, 0.02);
+        piece.grain = degrees * std::numbers::pi / 180;
+        MeshInput input{{piece}, {seamOf({{0, 0, 1}}, {{0, 0, 2, 0, 1, true}})}};
+        const auto garment = meshGarment(input);
+        QVERIFY(garment);
+        QVERIFY(garment->seams[0].pairs.back()[0] == garment->seams[0].pairs.back()[1]);
+        QCOMPARE(QString::fromStdString(defectOf(garment->pieces[0])), QString());
+    }
+}
+
+void tst_HardInputs::aSlitOfThreeUnitsIsRefusedWithItsPlace() {
+    // Half a micrometre wide on a line of the grid: meshed, or refused with its place, but never a cell
+    // without area.
+    const double half = 2.5e-7;
+    PieceInput piece = polygonPiece({{0, 0},
+                                     {0.1 - half, 0},
+                                     {0.1 - half, 0.1},
+                                     {0.1 + half, 0.1},
+                                     {0.1 + half, 0},
+                                     {0.2, 0},
+                                     {0.2, 0.2},
+                                     {0, 0.2}},
+                                    0.02);
+    const auto garment = meshGarment(inputOf(piece));
+    if (garment)
+        QCOMPARE(garment->report.total.invertedCells, 0);
+    else
+        compareError(garment, "piece \"Piece\"", "nearer to itself");
 }
 
 void tst_HardInputs::seamsThatWalkTheirPointsForEver() {

@@ -18,6 +18,7 @@ private slots:
     void notchesAreMatchedInOrder();
     void seamsThatShareAnEdgeShareItsCount();
     void aDartClosesAtOneTip();
+    void nodesTooNearForTheGridAreRefused();
     void theThreeConditionsOfThePaperHoldForEverySeam();
 };
 
@@ -146,6 +147,20 @@ void tst_Seams::aDartClosesAtOneTip() {
     QVERIFY(pairs.back()[0] == pairs.back()[1]);
     QVERIFY(pointOf(*garment, pairs.back()[0]) == (Vec2{0.1, 0.12}));
     QCOMPARE(QString::fromStdString(defectOf(garment->pieces[0])), QString());
+}
+
+void tst_Seams::nodesTooNearForTheGridAreRefused() {
+    // 20 m at 1 mm gathered into 0.25 m: nodes 12.5 µm apart, 51 units of 1/4096 mm.
+    MeshInput input{{rectanglePiece(20, 0.002, 0.001, "Ruffle"), rectanglePiece(0.25, 0.5, 0.02, "Yoke")},
+                    {}};
+    input.seams = {seamOf({{0, 0, 2, 0, 1, true}}, {{1, 0, 0}})};
+    input.seams[0].sections = {{0, 80.0}};
+    const auto refused = meshGarment(input);
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().place.object, std::string("piece \"Yoke\", edge \"e0\""));
+    QVERIFY(refused.error().text.find("20000 nodes on 250.0 mm") != std::string::npos);
+    input.seams[0].sections = {{0, 200.0}};
+    QVERIFY(meshGarment(input).error().text.find("between 0.01 and 100") != std::string::npos);
 }
 
 void tst_Seams::theThreeConditionsOfThePaperHoldForEverySeam() {
