@@ -4,6 +4,7 @@
 // same flap.
 //
 //   toile-bench-integrators [CELLS [FACTOR...]]      default: 32 cells, factors 1, 100, 10000
+#include "core/cloth/Flexion.h"
 #include "core/dynamics/RungeKutta4.h"
 #include "tests/validation/Flap.h"
 
@@ -87,6 +88,10 @@ void compare(int cells, double factor, bool quick) {
                "|\n|---|---|---|---|---|---|---|---|---|\n");
     const Run euler = run(sheet, {Method::symplecticEuler, duration / 24}, quick ? 1 : 3);
     printRow("symplectic Euler, 0.9 of its limit", sheet, euler, reference, euler.seconds);
+    Flap paper = sheet;
+    (void)cloth::flexionInsteadOfBending(paper.model, 5); // a radius of 0.2 m
+    printRow("symplectic Euler, flexion springs", sheet,
+             run(paper, {Method::symplecticEuler, duration / 24}, 1), reference, euler.seconds);
     const auto row = [&](const std::string& what, const Setup& setup) {
         printRow(what, sheet, run(sheet, setup, quick ? 1 : 3), reference, euler.seconds);
     };
