@@ -66,6 +66,8 @@ document::Document circleSkirt(const body::Measurements& m, const body::Body& bo
     };
     document.avatarFile = "bodies/mannequin.glb";
     document.scene.substeps = waistbandSubsteps;
+    document.scene.selfContact = true; // its folds touch
+    document.scene.damping = 1;        // so much cloth that hangs free swings for long [1/s]
     return document;
 }
 

@@ -20,8 +20,8 @@ struct ElementPair {
 struct Separation {
     std::array<double, 4> weights{}; ///< of the pair's vertices: Σ weight·x is the way; the first element's
                                      ///< sum to 1, the second's to −1
-    Vec3 way;            ///< [m]
-    double distance = 0; ///< its length [m]
+    Vec3 way;                        ///< [m]
+    double distance = 0;             ///< its length [m]
 };
 
 [[nodiscard]] Separation separationOf(const ElementPair& pair, std::span<const Vec3> positions);

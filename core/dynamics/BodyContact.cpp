@@ -3,6 +3,7 @@
 
 #include "core/base/Contracts.h"
 #include "core/collision/FirstTouch.h"
+#include "core/dynamics/Friction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,47 +20,6 @@ constexpr double forceMemory = 1.0 / 60;
 /// Friction of one iteration rests on at least this part of the normal force of the iteration before, so that
 /// a short Newton step, which leaves the contact behind for a moment, does not let the garment slide off [–].
 constexpr double keptNormalForce = 0.5;
-
-/// Normal displacement a substep must reach, as a signed distance to the plane [m].
-double allowedDistance(double before, double wanted, double duration, const BodyContactSettings& settings) {
-    const double overlap = wanted - before;
-    if (overlap <= 0) return wanted;
-    const double eased = overlap * -std::expm1(-duration / settings.pushOutTime);
-    return before + std::min(eased, settings.pushOutSpeed * duration);
-}
-
-Vec3 tangential(const Vec3& v, const Vec3& normal) {
-    return v - normal * dot(v, normal);
-}
-
-/// Smoothed |u| with f'(0) = 0, equal to |u| from give on. Ref: Li et al. 2020, Incremental Potential
-/// Contact, §5.
-double smoothLength(double u, double give) {
-    return u >= give ? u : u * u / give - u * u * u / (3 * give * give) + give / 3;
-}
-/// Its derivative over u.
-double smoothSlopeOverLength(double u, double give) {
-    return u >= give ? 1 / u : 2 / give - u / (give * give);
-}
-/// Its second derivative.
-double smoothCurvature(double u, double give) {
-    return u >= give ? 0 : 2 / give - 2 * u / (give * give);
-}
-
-void addOuter(double (&block)[9], const Vec3& a, double factor) {
-    for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c) block[3 * r + c] += factor * a[r] * a[c];
-}
-
-/// ∂²/∂x² of μN·smoothLength(|T x|), positive semi-definite.
-void addFrictionCurvature(double (&block)[9], const Vec3& slip, const Vec3& normal, double limit,
-                          double give) {
-    const double u = length(slip);
-    const double across = limit * smoothSlopeOverLength(u, give);
-    for (int axis = 0; axis < 3; ++axis) block[4 * axis] += across;
-    addOuter(block, normal, -across);
-    if (u > 0) addOuter(block, slip / u, limit * smoothCurvature(u, give) - across);
-}
 
 /// Gershgorin rows of what the samples add to M⁻¹K [1/s²]. Particles that have no sample of their own are
 /// carried by others; their mass is not known here.
@@ -176,7 +136,8 @@ void BodyContact::project(Substep& substep) {
 void BodyContact::resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now,
                           const Vec3& before, Substep& substep) const {
     const double start = plane.distance(before);
-    const double allowed = allowedDistance(start, sample.distance, substep.duration, settings_);
+    const double allowed = allowedDistance(start, sample.distance, substep.duration, settings_.pushOutTime,
+                                           settings_.pushOutSpeed);
     const double lift = allowed - plane.distance(now);
     const bool ledOut = sample.distance - start > deepOverlap;
     if (lift <= 0 && !ledOut) return;

@@ -4,6 +4,7 @@
 #include "core/base/Sha256.h"
 #include "core/cloth/Strain.h"
 #include "core/collision/Intersections.h"
+#include "core/dynamics/SelfContact.h"
 #include "core/simulation/Topology.h"
 
 #include <algorithm>
@@ -101,6 +102,8 @@ ContactSummary contactOf(const Simulation& simulation) {
     ContactSummary summary;
     const geometry::TriangleMesh cloth = clothMesh(simulation);
     summary.selfIntersections = static_cast<int>(collision::selfIntersectingTriangles(cloth).size());
+    if (const auto* stage = dynamic_cast<const dynamics::SelfContact*>(simulation.plan().find("self-contact")))
+        summary.guarantee = stage->guaranteed();
     const collision::BodySurface* body = simulation.body();
     if (!body) return summary;
     summary.bodyIntersections = static_cast<int>(collision::intersectingTriangles(cloth, body->mesh()).size());

@@ -2,6 +2,7 @@
 #include "core/simulation/PlanOf.h"
 
 #include "core/simulation/BodyContactOf.h"
+#include "core/simulation/SelfContactOf.h"
 
 namespace toile::simulation {
 namespace {
@@ -28,10 +29,12 @@ StepPlan planOf(const Scene& scene, const Garment& garment, const collision::Bod
     if (!pairs.empty()) plan.add(std::make_unique<SeamClosing>(std::move(pairs), SeamClosingSettings{.duration = scene.settings.seamTime}));
     else plan.leaveOut("seams", garment.mergedSeams.empty() ? "the pattern has no seam" : "all seams are merged");
 
-    if (body) plan.add(bodyContactOf(scene, garment, *body)); // last: nothing moves cloth into the body afterwards
+    if (body) plan.add(bodyContactOf(scene, garment, *body));
     else plan.leaveOut("body contact", "no body");
 
-    plan.leaveOut("self-contact", scene.settings.selfContact ? "asked for, but this version has none" : "the scene does not ask for it");
+    if (!scene.settings.selfContact) plan.leaveOut("self-contact", "the scene does not ask for it");
+    else if (!canReachItself(garment)) plan.leaveOut("self-contact", "the cloth is too small to reach itself");
+    else plan.add(selfContactOf(scene, garment)); // last: it goes back where anything has pushed layers through layers
     return plan;
 }
 

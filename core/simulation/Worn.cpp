@@ -45,15 +45,16 @@ std::vector<NamedAxis> axesOf(const body::Body& body) {
     return axes;
 }
 
-bool segmentCrossesTriangle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+/// +1 along the triangle's normal, −1 against it, 0 where the segment passes by.
+int crossing(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 direction = q - p;
     const auto side = [&](const Vec3& from, const Vec3& to) { return dot(direction, cross(from - p, to - p)); };
     const double ab = side(a, b), bc = side(b, c), ca = side(c, a);
     const bool through = (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
-    if (!through) return false;
+    if (!through) return 0;
     const Vec3 normal = cross(b - a, c - a);
     const double before = dot(normal, p - a), after = dot(normal, q - a);
-    return (before < 0) != (after < 0);
+    return (before < 0) == (after < 0) ? 0 : before < 0 ? 1 : -1;
 }
 
 std::vector<Vec3> pointsOf(const Opening& opening, const std::vector<Vec3>& positions) {
@@ -256,11 +257,14 @@ bool hasNeckOpening(const Drape& drape, const body::Body& body) {
 
 int crossings(const std::vector<Vec3>& loop, const std::vector<Vec3>& polyline) {
     const Vec3 centre = meanOf(loop);
-    int count = 0;
+    int net = 0, all = 0;
     for (std::size_t i = 0; i < loop.size(); ++i)
-        for (std::size_t k = 0; k + 1 < polyline.size(); ++k)
-            count += segmentCrossesTriangle(polyline[k], polyline[k + 1], centre, loop[i], loop[(i + 1) % loop.size()]);
-    return count;
+        for (std::size_t k = 0; k + 1 < polyline.size(); ++k) {
+            const int sign = crossing(polyline[k], polyline[k + 1], centre, loop[i], loop[(i + 1) % loop.size()]);
+            net += sign;
+            all += std::abs(sign);
+        }
+    return net != 0 ? std::abs(net) : all;
 }
 
 WornReport wornReport(const Drape& drape, const body::Body& body, const collision::BodySurface& surface,

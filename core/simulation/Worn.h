@@ -59,7 +59,8 @@ struct Drape {
 /// Whether the garment hangs on the shoulders: else its uppermost opening is a waistband.
 [[nodiscard]] bool hasNeckOpening(const Drape& drape, const body::Body& body);
 
-/// How often a polyline passes through the fan from a closed loop's centre to its edges.
+/// How often a polyline passes through the fan from a closed loop's centre to its edges. The fan of a hem that hangs in
+/// folds lies over itself: there and back counts only for a line that goes back as often as there.
 [[nodiscard]] int crossings(const std::vector<Vec3>& loop, const std::vector<Vec3>& polyline);
 
 } // namespace toile::simulation

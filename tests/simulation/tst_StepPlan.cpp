@@ -15,6 +15,10 @@ private slots:
     void aLonePieceHasNoStage();
     void aSeamBringsExactlyItsStage();
     void aBodyBringsExactlyItsStage();
+    void selfContactBringsExactlyItsStage();
+    void clothTooSmallToReachItselfHasNoSelfContact();
+    void selfContactComesAfterBodyContact();
+    void aSeamClosesThoughItsSidesAreNearEachOther();
     void aRegionBringsSlaves();
     void bendingAndTwistGoWithoutStiffness();
     void aMergedSeamLeavesAndSaysWhy();
@@ -78,6 +82,51 @@ void tst_StepPlan::aBodyBringsExactlyItsStage() {
     QCOMPARE(namesOf(*simulation), std::vector<std::string>{"body contact"});
     QVERIFY(simulation->plan().find("body contact")->bytes() > 0);
     QVERIFY(reasonFor(*simulation, "body contact").empty());
+}
+
+void tst_StepPlan::selfContactBringsExactlyItsStage() {
+    Scene scene = lonePiece();
+    scene.settings.selfContact = true;
+    const auto simulation = Simulation::create(scene);
+    QVERIFY(simulation);
+    QCOMPARE(namesOf(*simulation), std::vector<std::string>{"self-contact"});
+    QVERIFY(reasonFor(*simulation, "self-contact").empty());
+    QCOMPARE(simulation->stageCosts().front().name, std::string("self-contact"));
+
+    scene.settings.selfContact = false;
+    const auto without = Simulation::create(scene);
+    QVERIFY(without && without->plan().stages().empty());
+    QCOMPARE(reasonFor(*without, "self-contact"), std::string("the scene does not ask for it"));
+}
+
+void tst_StepPlan::clothTooSmallToReachItselfHasNoSelfContact() {
+    Scene scene = lonePiece(0.4); // one cell
+    scene.settings.selfContact = true;
+    const auto simulation = Simulation::create(scene);
+    QVERIFY(simulation);
+    QVERIFY(simulation->plan().stages().empty());
+    QCOMPARE(reasonFor(*simulation, "self-contact"), std::string("the cloth is too small to reach itself"));
+}
+
+void tst_StepPlan::selfContactComesAfterBodyContact() {
+    Scene scene = twoSquares(0.05);
+    scene.body = Shared<body::Body>(box());
+    scene.settings.selfContact = true;
+    const auto simulation = Simulation::create(scene);
+    QVERIFY(simulation);
+    QCOMPARE(namesOf(*simulation), (std::vector<std::string>{"seams", "body contact", "self-contact"}));
+}
+
+void tst_StepPlan::aSeamClosesThoughItsSidesAreNearEachOther() {
+    Scene scene = twoSquares(0.05);
+    material::Fabric thick = *scene.pattern.fabrics[0];
+    thick.thickness = 0.004; // eight times the gap at which a seam merges
+    scene.pattern.fabrics[0] = thick;
+    scene.settings.selfContact = true;
+    auto simulation = Simulation::create(scene);
+    QVERIFY(simulation);
+    while (!simulation->allSeamsMerged() && simulation->state().time < 3) QVERIFY(simulation->advance());
+    QVERIFY(simulation->allSeamsMerged());
 }
 
 void tst_StepPlan::aRegionBringsSlaves() {

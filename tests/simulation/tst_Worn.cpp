@@ -100,6 +100,7 @@ class tst_Worn : public QObject {
 private slots:
     void aTubeRoundTheTrunkIsWorn();
     void whereNeckAndTorsoOverlapAnOpeningIsCrossedOnce();
+    void aHemInDeepFoldsIsCrossedOnce();
     void aTubeRoundAnArmIsNamedAfterIt();
     void aTubeBesideTheBodyIsNotWorn();
     void aClosedBallIsNotWorn();
@@ -136,6 +137,17 @@ void tst_Worn::aTubeRoundTheTrunkIsWorn() {
 
 void tst_Worn::whereNeckAndTorsoOverlapAnOpeningIsCrossedOnce() {
     for (const OpeningReport& opening : verdictOn(tube({0, 1.2, 0}, 0.15, 0.13)).openings) QCOMPARE(opening.crossings, 1);
+}
+
+void tst_Worn::aHemInDeepFoldsIsCrossedOnce() {
+    std::vector<Vec3> hem; // goes round once, but wanders to and fro by more than it gets on
+    for (int i = 0; i < 240; ++i) {
+        const double turn = 2 * std::numbers::pi * i / 240, angle = turn + 0.5 * std::sin(8 * turn);
+        hem.push_back({0.2 * std::cos(angle), 0.02 * std::sin(5 * turn), 0.2 * std::sin(angle)});
+    }
+    for (double x = -0.15; x < 0.16; x += 0.05) QCOMPARE(crossings(hem, {{x, 1, 0.03}, {x, -1, 0.03}}), 1);
+    QCOMPARE(crossings(hem, {{0.5, 1, 0}, {0.5, -1, 0}}), 0);
+    QCOMPARE(crossings(hem, {{0, 1, 0.03}, {0, -1, 0.03}, {0.5, -1, 0}, {0.5, 1, 0}, {0, 1, 0.03}, {0, -1, 0.03}}), 2);
 }
 
 void tst_Worn::aTubeRoundAnArmIsNamedAfterIt() {

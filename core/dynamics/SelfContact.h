@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/cloth/ClothModel.h"
+#include "core/collision/SelfProximity.h"
+#include "core/dynamics/Stage.h"
+
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace toile::dynamics {
+
+/// A cloth as a surface that must not pass through itself. Everything but the triangles is per particle.
+struct ClothSurface {
+    std::vector<std::array<int, 3>> triangles; ///< three different particles each
+    std::vector<double> halfThickness;         ///< [m]
+    std::vector<double> friction;              ///< μ of the cloth [–]
+    std::vector<double>
+        room; ///< at rest, to the nearest element that does not end here [m]: there is no push within it
+    std::vector<std::vector<int>>
+        ignored; ///< particles that an open seam will bring here, rising; empty = none at all
+};
+
+struct SelfContactSettings {
+    double slack =
+        0.002; ///< a particle may leave the way foreseen by this before neighbours are sought anew [m]
+    double pushOutSpeed = 0.5; ///< at most, of layers that are too near at the start of a substep [m/s]
+    double pushOutTime = 0.01; ///< in which a small overlap falls to 1/e [s]
+    double keptDistance = 0.1; ///< part of its distance that a pair keeps in one substep whatever pulls [–]
+    double closest = 1e-6;     ///< layers are never let nearer than this [m]
+    int sweeps = 2;            ///< over the pairs that touch, in a substep
+
+    double stiffness = 2.5e6; ///< of statics, per mass of a particle [1/s²]: 500 Pa press 0.1 kg/m² to 0.8 of
+                              ///< its thickness of 0.5 mm, and never to nothing
+    double frictionGive = 1e-4; ///< way over which statics builds friction up to μN [m]
+    double staticMove = 0.0025; ///< of a particle in one iteration of statics, at most [m]
+};
+
+/// Keeps the layers of a cloth apart by its thickness, with Coulomb friction between them. docs/collision.md
+///
+/// Layers that are apart at the start of a substep are apart throughout: every pair of elements that could
+/// meet has a direction along which it is separated, at the start, at the end, and so on all straight ways in
+/// between. Layers that have crossed already are drawn apart, and the guarantee holds for the others.
+class SelfContact final : public Stage {
+public:
+    /// The model is borrowed and outlives the stage.
+    SelfContact(const cloth::ClothModel& model, ClothSurface surface, SelfContactSettings settings = {});
+
+    [[nodiscard]] std::string_view name() const override { return "self-contact"; }
+    [[nodiscard]] std::size_t bytes() const override;
+
+    void beginStep(const ParticleState& state, double duration) override;
+    void project(Substep& substep) override;
+
+    /// Finds the pairs within reach. Until the next call no particle can move farther than staticMove, and no
+    /// pair can cross: the energy is infinite there.
+    void beginIteration(std::span<const Vec3> positions) override;
+    [[nodiscard]] double energy(std::span<const Vec3> positions) const override;
+    void addForces(std::span<const Vec3> positions, std::span<Vec3> forces) const override;
+    void addHessian(std::span<const Vec3> positions, HessianSink& sink) const override;
+    [[nodiscard]] double largestFrequencySquared() const override;
+
+    /// Edges that passed through triangles when neighbours were last sought.
+    [[nodiscard]] int crossings() const { return static_cast<int>(piercings_.size()); }
+    /// No layer has crossed another since the last one that had was drawn apart, and none is let through for
+    /// a seam.
+    [[nodiscard]] bool guaranteed() const { return !mayPierce_ && surface_.ignored.empty(); }
+    /// How often neighbours were sought, and how many pairs are near now.
+    [[nodiscard]] int searches() const { return searches_; }
+    [[nodiscard]] std::size_t nearPairs() const { return watches_.size(); }
+
+private:
+    /// What every substep reads of every pair that is near.
+    struct Watch {
+        collision::ElementPair elements;
+        double target = 0; ///< distance to be kept [m]
+        double known = 0;  ///< distance where neighbours were last sought [m]
+        double before = 0,
+               now = 0; ///< the distance is at least this, at the start of the substep and at its end [m]
+    };
+    /// What is read only of pairs that may touch.
+    struct Contact {
+        int substep = -1;                ///< for which direction, start and weights were found
+        Vec3 direction;                  ///< unit, from the second element to the first; zero = not asked yet
+        double start = 0;                ///< distance at the start of the substep [m]
+        std::array<double, 4> weights{}; ///< of the shortest way then
+        double friction = 0;             ///< √(μ₁μ₂) [–]
+        double normalForce = 0;          ///< running mean of the substeps, then lagged by one iteration [N]
+    };
+
+    void search(double reach, std::span<const Vec3> positions, std::span<const Vec3> moves);
+    void seekPiercings(std::span<const Vec3> positions);
+    [[nodiscard]] bool isIgnored(const collision::ElementPair& pair) const;
+    [[nodiscard]] Contact contactOf(const collision::ElementPair& pair) const;
+    [[nodiscard]] double targetOf(const collision::ElementPair& pair) const;
+    [[nodiscard]] bool foreseen(std::span<const Vec3> positions, double time) const;
+    void foresee(const Substep& substep);
+    [[nodiscard]] double leastDistance(const Watch& watch, std::span<const Vec3> positions) const;
+    void look(const Watch& watch, Contact& contact, std::span<const Vec3> positions) const;
+
+    void pushApart(Substep& substep);
+    [[nodiscard]] bool meetsOnTheWay(const Watch& watch, Contact& contact, const Substep& substep) const;
+    void push(const Watch& watch, Contact& contact, Substep& substep) const;
+    void uncross(Substep& substep) const;
+    void holdApart(Substep& substep);
+    [[nodiscard]] double keptOf(double start) const;
+    [[nodiscard]] bool isSeparated(const Watch& watch, Contact& contact, const Substep& substep) const;
+    void shorten(const Watch& watch, const Contact& contact, Substep& substep);
+    void goPartOfTheWay(int particle, double fraction, Substep& substep);
+    void move(int particle, const Vec3& by, Substep& substep) const;
+    void placeSlave(int slave, std::span<Vec3> positions) const;
+    void placeSlaves(std::span<Vec3> positions) const;
+
+    [[nodiscard]] double stiffnessOf(const Watch& watch) const;
+    [[nodiscard]] double pressureAt(const Watch& watch, double distance) const;
+    [[nodiscard]] Vec3 slipOf(std::size_t pair, std::span<const Vec3> positions) const;
+    [[nodiscard]] bool isFar(const Watch& watch, const Contact& contact,
+                             std::span<const Vec3> positions) const;
+
+    const cloth::ClothModel& model_;
+    ClothSurface surface_;
+    SelfContactSettings settings_;
+    std::vector<double> mass_; ///< of particles; of slaves, what their masters make of it [kg]
+    std::vector<int> slaveOf_; ///< index into model.slaves, −1 = none
+    double thickest_ = 0;      ///< largest target [m]
+
+    std::optional<collision::SelfProximity> proximity_; ///< from the first step on
+    std::vector<Watch> watches_;
+    std::vector<Contact> contacts_; ///< one per watch
+    std::vector<collision::Piercing> piercings_;
+    bool mayPierce_ = true; ///< until a search has found no piercing
+    std::vector<Vec3> from_,
+        moves_; ///< where particles were when neighbours were sought, the ways foreseen [m]
+    double fromTime_ = 0, horizon_ = 0; ///< when that was, how long the ways take [s]
+    double frame_ = 0;                  ///< duration of the step [s]
+    int substep_ = 0, searches_ = 0;
+    std::vector<std::size_t> touching_; ///< pairs to be pushed in this substep
+    std::vector<Vec3> wanted_;          ///< where particles would go before their ways are shortened [m]
+    std::vector<double> fraction_;      ///< of its way that a particle goes
+    std::vector<Vec3> iterationStart_;  ///< of statics [m]
+    std::vector<Vec3> anchors_; ///< where particles were at the start of statics; empty until then [m]
+};
+
+} // namespace toile::dynamics

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/SelfContact.h"
+#include "core/simulation/Garment.h"
+#include "core/simulation/Scene.h"
+
+#include <memory>
+
+namespace toile::simulation {
+
+/// Whether two triangles of the cloth have no corner in common: else it cannot reach itself.
+[[nodiscard]] bool canReachItself(const Garment& garment);
+
+/// The stage that keeps the layers of this garment apart: thickness and friction from the fabrics. Near an
+/// open seam its two sides do not push each other.
+[[nodiscard]] std::unique_ptr<dynamics::SelfContact> selfContactOf(const Scene& scene,
+                                                                   const Garment& garment);
+
+} // namespace toile::simulation

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/Energy.h"
+#include "tests/dynamics/LayeredCloth.h"
+
+#include <QtTest>
+#include <numbers>
+
+using namespace toile;
+using namespace toile::layers;
+using dynamics::SelfContact;
+using dynamics::Stage;
+
+namespace {
+
+constexpr double frame = 1.0 / 60;
+const Vec3 gravity{0, -9.81, 0};
+
+/// A square of 0.1 m with 10 mm cells in the plane y = height, turned by an angle so that no edges lie on
+/// each other.
+auto level(double height, double angle = 0.3) {
+    return [=](const Vec2& m) {
+        const Vec2 p = geometry::rotated(m - Vec2{0.05, 0.05}, angle);
+        return Vec3{p.x, height, -p.y};
+    };
+}
+
+/// A small sheet at some height over a larger one that is pinned everywhere at y = 0.
+Cloth sheetOver(double height, double friction = 0.3) {
+    Cloth cloth;
+    append(cloth, 0.3, 30, 0.3, 30, friction, [](const Vec2& m) { return Vec3{m.x - 0.15, 0, 0.15 - m.y}; });
+    pin(cloth, 0, cloth.model.particleCount());
+    append(cloth, 0.1, 10, 0.1, 10, friction, level(height));
+    return cloth;
+}
+
+/// Of the particles that are not pinned.
+double lowest(const Cloth& cloth) {
+    double least = 1e300;
+    for (int p = static_cast<int>(cloth.model.pinned.size()); p < cloth.model.particleCount(); ++p)
+        least = std::min(least, cloth.state.positions[p].y);
+    return least;
+}
+
+double meanX(const Cloth& cloth) {
+    double sum = 0;
+    int count = 0;
+    for (int p = static_cast<int>(cloth.model.pinned.size()); p < cloth.model.particleCount(); ++p, ++count)
+        sum += cloth.state.positions[p].x;
+    return sum / count;
+}
+
+struct Run {
+    Cloth& cloth;
+    SelfContact contact;
+    dynamics::Xpbd xpbd;
+    explicit Run(Cloth& c, double damping = 0)
+        : cloth(c), contact(c.model, c.surface), xpbd(c.model, {.damping = damping}) {}
+    void frames(int count, const Vec3& pull, int substeps = 20) {
+        std::array<Stage*, 1> stages{&contact};
+        for (int f = 0; f < count; ++f)
+            if (const auto done = xpbd.step(cloth.state, frame, substeps, pull, stages); !done)
+                qFatal("%s", toString(done.error()).c_str());
+    }
+};
+
+} // namespace
+
+/// Layers of one cloth in position-based substeps.
+class tst_SelfContact : public QObject {
+    Q_OBJECT
+private slots:
+    void aSheetComesToRestOneThicknessAboveAnother();
+    void noSpeedPassesThrough_data();
+    void noSpeedPassesThrough();
+    void belowTheAngleOfFrictionASheetSticks();
+    void aboveItItSlidesAsTheConeSays();
+    void whatIsApartIsNotTouched();
+    void aMeshFinerThanTheClothIsThickStaysFlat();
+    void momentumIsKeptWhenLayersMeet();
+    void layersThatHaveCrossedAreDrawnApart();
+    void whatASeamWillBringTogetherIsNotPushed();
+    void slavesOfTwoRegionsAreHeldToo();
+    void equalStartsGiveEqualBits();
+};
+
+void tst_SelfContact::aSheetComesToRestOneThicknessAboveAnother() {
+    Cloth cloth = sheetOver(0.003);
+    Run run(cloth, 5);
+    run.frames(60, gravity);
+    QCOMPARE(cloth.intersections(), 0);
+    for (int p = static_cast<int>(cloth.model.pinned.size()); p < cloth.model.particleCount(); ++p) {
+        // A substep of gravity is 7 µm.
+        QVERIFY(std::abs(cloth.state.positions[p].y - thickness) < 1e-5);
+        QVERIFY(length(cloth.state.velocities[p]) < 1e-3);
+    }
+}
+
+void tst_SelfContact::noSpeedPassesThrough_data() {
+    QTest::addColumn<double>("speed");
+    for (const double speed : {1.0, 10.0, 100.0}) QTest::addRow("%g m/s", speed) << speed;
+}
+
+void tst_SelfContact::noSpeedPassesThrough() {
+    QFETCH(double, speed);
+    Cloth cloth = sheetOver(0.02);
+    for (std::size_t p = cloth.model.pinned.size(); p < cloth.state.positions.size(); ++p)
+        cloth.state.velocities[p] = {0.1 * speed, -speed, 0};
+    Run run(cloth);
+    for (int f = 0; f < 10; ++f) {
+        run.frames(1, gravity);
+        QCOMPARE(cloth.intersections(), 0);
+        QVERIFY(lowest(cloth) > 0);
+    }
+}
+
+void tst_SelfContact::belowTheAngleOfFrictionASheetSticks() {
+    Cloth cloth = sheetOver(thickness, 0.5);
+    Run run(cloth);
+    const double angle = 0.9 * std::atan(0.5);
+    run.frames(5, {0, -9.81, 0});
+    const double before = meanX(cloth);
+    run.frames(60, {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0});
+    QVERIFY2(std::abs(meanX(cloth) - before) < 1e-3, qPrintable(QString::number(meanX(cloth) - before)));
+}
+
+void tst_SelfContact::aboveItItSlidesAsTheConeSays() {
+    Cloth cloth = sheetOver(thickness, 0.2);
+    Run run(cloth);
+    const double angle = 0.5, time = 0.25;
+    run.frames(15, {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0});
+    const double expected = 0.5 * 9.81 * (std::sin(angle) - 0.2 * std::cos(angle)) * time * time;
+    // Layers touch at corners and edges, whose shortest ways are not quite upright: a tenth.
+    QVERIFY2(std::abs(meanX(cloth) - expected) < 0.1 * expected,
+             qPrintable(QString::number(meanX(cloth) / expected)));
+}
+
+void tst_SelfContact::whatIsApartIsNotTouched() {
+    Cloth cloth = sheetOver(0.1), free = cloth;
+    Run run(cloth);
+    run.frames(3, gravity);
+    dynamics::Xpbd xpbd(free.model, {.damping = 0});
+    for (int f = 0; f < 3; ++f) QVERIFY(xpbd.step(free.state, frame, 20, gravity, {}));
+    QVERIFY(cloth.state.positions == free.state.positions);
+    QVERIFY(run.contact.searches() <=
+            3); // once a frame step: the ways are foreseen, all but what gravity adds
+    QCOMPARE(run.contact.nearPairs(), std::size_t(0));
+}
+
+void tst_SelfContact::aMeshFinerThanTheClothIsThickStaysFlat() {
+    Cloth cloth;
+    append(cloth, 0.004, 16, 0.004, 16, 0.3, level(0)); // 0.25 mm cells
+    const std::vector<Vec3> before = cloth.state.positions;
+    Run run(cloth);
+    run.frames(5, {});
+    for (std::size_t p = 0; p < before.size(); ++p)
+        QVERIFY(geometry::distance(before[p], cloth.state.positions[p]) < 1e-9);
+}
+
+void tst_SelfContact::momentumIsKeptWhenLayersMeet() {
+    Cloth cloth;
+    append(cloth, 0.1, 10, 0.1, 10, 0.4, level(0, 0));
+    append(cloth, 0.1, 10, 0.1, 10, 0.4, level(0.005));
+    const int half = cloth.model.particleCount() / 2;
+    for (int p = half; p < 2 * half; ++p) cloth.state.velocities[p] = {0.3, -1, 0.2};
+    const auto momentum = [&] {
+        Vec3 sum;
+        for (int p = 0; p < 2 * half; ++p) sum += cloth.model.mass[p] * cloth.state.velocities[p];
+        return sum;
+    };
+    const Vec3 before = momentum();
+    Run run(cloth);
+    run.frames(10, {}, 100); // 0.2 mm a substep: pushing is enough, no way is shortened
+    QVERIFY(cloth.state.velocities[0] != Vec3{});
+    QVERIFY2(length(momentum() - before) < 1e-9 * length(before),
+             qPrintable(QString::number(length(momentum() - before) / length(before))));
+    QCOMPARE(cloth.intersections(), 0);
+}
+
+void tst_SelfContact::layersThatHaveCrossedAreDrawnApart() {
+    Cloth
+        cloth; // two sheets that overlap by a cell and a half at their borders, and slope through each other
+    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) {
+        return Vec3{m.x - 0.1, 0.1 * (m.x - 0.09), -m.y};
+    });
+    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) {
+        return Vec3{m.x - 0.015, -0.1 * (m.x - 0.008), -0.003 - m.y};
+    });
+    QVERIFY(cloth.intersections() > 10);
+    Run run(cloth, 10);
+    run.frames(1, {});
+    QVERIFY(run.contact.crossings() > 0);
+    run.frames(120, {});
+    QCOMPARE(cloth.intersections(), 0);
+    QCOMPARE(run.contact.crossings(), 0);
+}
+
+void tst_SelfContact::whatASeamWillBringTogetherIsNotPushed() {
+    Cloth cloth = sheetOver(0.0002);
+    const std::vector<Vec3> before = cloth.state.positions;
+    std::vector<int> below(cloth.model.pinned), above;
+    for (int p = static_cast<int>(below.size()); p < cloth.model.particleCount(); ++p) above.push_back(p);
+    for (int p = 0; p < cloth.model.particleCount(); ++p)
+        cloth.surface.ignored.push_back(p < static_cast<int>(below.size()) ? above : below);
+    Run run(cloth);
+    run.frames(2, {});
+    for (std::size_t p = 0; p < before.size(); ++p)
+        QVERIFY(geometry::distance(before[p], cloth.state.positions[p]) < 1e-9);
+}
+
+void tst_SelfContact::slavesOfTwoRegionsAreHeldToo() {
+    Cloth cloth;
+    append(cloth, 0.1, 10, 0.1, 10, 0.3, level(0.004));
+    const int first = cloth.model.particleCount();
+    auto patch = fixtures::twoRegionPatch(0.3, 8, 0.15, 4, 0.3, 8);
+    for (int& particle : patch.particles) particle += first;
+    const auto report = cloth::appendPatch(cloth.model, patch, material::Fabric{});
+    QVERIFY(report);
+    for (const Vec2& m : patch.material) cloth.state.positions.push_back({m.x - 0.15, 0, 0.15 - m.y});
+    for (const auto& cell : patch.rectangles) {
+        const auto& n = cell.nodes;
+        const auto hanging = std::ranges::find_if(patch.slaves, [&](const cloth::PatchSlave& slave) {
+            return slave.masters[0].first == n[3] && slave.masters[1].first == n[2];
+        });
+        if (hanging == patch.slaves.end()) {
+            cloth.surface.triangles.push_back({first + n[0], first + n[1], first + n[2]});
+            cloth.surface.triangles.push_back({first + n[0], first + n[2], first + n[3]});
+        } else { // without a crack
+            const int middle = first + hanging->node;
+            cloth.surface.triangles.push_back({first + n[0], first + n[1], middle});
+            cloth.surface.triangles.push_back({first + n[1], first + n[2], middle});
+            cloth.surface.triangles.push_back({first + n[0], middle, first + n[3]});
+        }
+    }
+    QCOMPARE(cloth.intersections(), 0);
+    cloth.state.velocities.resize(cloth.state.positions.size());
+    for (int p = 0; p < first; ++p) cloth.state.velocities[p] = {0, -3, 0};
+    const std::size_t count = cloth.model.mass.size();
+    cloth.surface.halfThickness.resize(count, thickness / 2);
+    cloth.surface.friction.resize(count, 0.3);
+    cloth.surface.room.resize(count, 0.01);
+    QVERIFY(!cloth.model.slaves.empty());
+    Run run(cloth);
+    for (int f = 0; f < 10; ++f) {
+        run.frames(1, {});
+        QCOMPARE(cloth.intersections(), 0);
+        for (const cloth::Slave& slave : cloth.model.slaves) {
+            Vec3 place;
+            for (const auto& [master, weight] : slave.masters)
+                place += weight * cloth.state.positions[master];
+            QVERIFY(geometry::distance(place, cloth.state.positions[slave.particle]) < 1e-12);
+        }
+    }
+    QVERIFY(cloth.state.velocities[first] != Vec3{} || cloth.state.velocities[first + 40] != Vec3{});
+}
+
+void tst_SelfContact::equalStartsGiveEqualBits() {
+    Cloth one = sheetOver(0.004), two = one;
+    Run first(one), second(two);
+    first.frames(10, gravity);
+    second.frames(10, gravity);
+    QVERIFY(one.state.positions == two.state.positions);
+}
+
+QTEST_APPLESS_MAIN(tst_SelfContact)
+#include "tst_SelfContact.moc"

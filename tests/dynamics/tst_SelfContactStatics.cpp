@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/Statics.h"
+#include "tests/dynamics/LayeredCloth.h"
+
+#include <QtTest>
+#include <limits>
+#include <random>
+
+using namespace toile;
+using namespace toile::layers;
+using dynamics::SelfContact;
+
+namespace {
+
+/// Collects the 3×3 blocks of a small Hessian densely.
+class DenseSink : public dynamics::HessianSink {
+public:
+    explicit DenseSink(int particles) : size(3 * particles), values(size * size) {}
+    void add(int i, int j, const double (&block)[9]) override {
+        for (int r = 0; r < 3; ++r)
+            for (int c = 0; c < 3; ++c) values[(3 * i + r) * size + 3 * j + c] += block[3 * r + c];
+    }
+    [[nodiscard]] double quadratic(const std::vector<double>& v) const {
+        double sum = 0;
+        for (int r = 0; r < size; ++r)
+            for (int c = 0; c < size; ++c) sum += v[r] * values[r * size + c] * v[c];
+        return sum;
+    }
+    int size;
+    std::vector<double> values;
+};
+
+Vec3 randomStep(std::mt19937& random, double size) {
+    std::uniform_real_distribution<double> any(-size, size);
+    return {any(random), any(random), any(random)};
+}
+
+/// Two cells one above the other, at a part of their thickness, shaken a little.
+Cloth pressedCells(double height, std::mt19937& random) {
+    Cloth cloth;
+    append(cloth, 0.01, 1, 0.01, 1, 0.3, [](const Vec2& m) { return Vec3{m.x, 0, -m.y}; });
+    append(cloth, 0.01, 1, 0.01, 1, 0.3, [&](const Vec2& m) {
+        const Vec2 p = geometry::rotated(m, 0.4);
+        return Vec3{p.x + 0.002, height, -p.y};
+    });
+    for (Vec3& p : cloth.state.positions) p += randomStep(random, 2e-5);
+    return cloth;
+}
+
+} // namespace
+
+/// Self-contact as a potential: what Newton's method sees of it.
+class tst_SelfContactStatics : public QObject {
+    Q_OBJECT
+private slots:
+    void theForceIsMinusTheGradientOfTheEnergy();
+    void theForcesSumToZero();
+    void theHessianIsTheCurvatureAcrossTheLayersAndNeverNegative();
+    void theEnergyIsInfiniteWhereLayersWouldCross();
+    void aSheetComesToRestOnAnother();
+};
+
+void tst_SelfContactStatics::theForceIsMinusTheGradientOfTheEnergy() {
+    std::mt19937 random(5);
+    for (int n = 0; n < 20; ++n) {
+        Cloth cloth = pressedCells(0.7 * thickness, random);
+        SelfContact contact(cloth.model, cloth.surface);
+        std::vector<Vec3> x = cloth.state.positions;
+        contact.beginIteration(x);
+        for (Vec3& p : x) p += randomStep(random, n % 2 ? 2e-5 : 1e-4); // sticking and slipping
+        std::vector<Vec3> forces(x.size());
+        contact.addForces(x, forces);
+        double largest = 0;
+        for (const Vec3& f : forces) largest = std::max(largest, length(f));
+        QVERIFY(largest > 0);
+        for (std::size_t i = 0; i < x.size(); ++i)
+            for (int axis = 0; axis < 3; ++axis) {
+                constexpr double step = 1e-8;
+                auto more = x, less = x;
+                more[i][axis] += step;
+                less[i][axis] -= step;
+                const double slope = (contact.energy(more) - contact.energy(less)) / (2 * step);
+                // Central differences; the force turns by a part in 10⁴ where the nearest parts of two
+                // elements change.
+                QVERIFY(std::abs(forces[i][axis] + slope) < 1e-3 * largest);
+            }
+    }
+}
+
+void tst_SelfContactStatics::theForcesSumToZero() {
+    std::mt19937 random(6);
+    Cloth cloth = pressedCells(0.5 * thickness, random);
+    SelfContact contact(cloth.model, cloth.surface);
+    contact.beginIteration(cloth.state.positions);
+    std::vector<Vec3> forces(cloth.state.positions.size());
+    contact.addForces(cloth.state.positions, forces);
+    Vec3 sum;
+    double size = 0;
+    for (const Vec3& f : forces) {
+        sum += f;
+        size += length(f);
+    }
+    QVERIFY(size > 0 && length(sum) < 1e-12 * size);
+    for (int p = 0; p < 4; ++p) QVERIFY(forces[p].y <= 0 && forces[p + 4].y >= 0); // apart
+}
+
+void tst_SelfContactStatics::theHessianIsTheCurvatureAcrossTheLayersAndNeverNegative() {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> any(-1, 1);
+    for (int n = 0; n < 20; ++n) {
+        Cloth cloth = pressedCells(0.7 * thickness, random);
+        SelfContact contact(cloth.model, cloth.surface);
+        const std::vector<Vec3>& x = cloth.state.positions;
+        contact.beginIteration(x);
+        DenseSink sink(static_cast<int>(x.size()));
+        contact.addHessian(x, sink);
+        std::vector<double> v(3 * x.size());
+        for (double& value : v) value = any(random);
+        QVERIFY(sink.quadratic(v) >= 0);
+
+        std::vector<double> apart(3 * x.size(), 0); // the upper cell moved up as a whole: ways turn nowhere
+        for (int p = 4; p < 8; ++p) apart[3 * p + 1] = 1;
+        constexpr double step = 1e-7;
+        auto more = x, less = x;
+        for (int p = 4; p < 8; ++p) more[p].y += step, less[p].y -= step;
+        const double curvature =
+            (contact.energy(more) - 2 * contact.energy(x) + contact.energy(less)) / (step * step);
+        QVERIFY2(std::abs(sink.quadratic(apart) - curvature) < 0.05 * curvature,
+                 qPrintable(QString("%1 %2").arg(sink.quadratic(apart)).arg(curvature)));
+    }
+}
+
+void tst_SelfContactStatics::theEnergyIsInfiniteWhereLayersWouldCross() {
+    std::mt19937 random(8);
+    Cloth cloth = pressedCells(2 * thickness, random);
+    SelfContact contact(cloth.model, cloth.surface);
+    contact.beginIteration(cloth.state.positions);
+    QCOMPARE(contact.energy(cloth.state.positions), 0.0);
+    auto x = cloth.state.positions;
+    for (int p = 4; p < 8; ++p) x[p].y -= 1.5 * thickness;
+    QVERIFY(contact.energy(x) > 0 && std::isfinite(contact.energy(x)));
+    for (int p = 4; p < 8; ++p) x[p].y -= thickness;
+    QCOMPARE(contact.energy(x), std::numeric_limits<double>::infinity());
+}
+
+void tst_SelfContactStatics::aSheetComesToRestOnAnother() {
+    Cloth cloth;
+    append(cloth, 0.2, 10, 0.2, 10, 0.3, [](const Vec2& m) { return Vec3{m.x - 0.1, 0, 0.1 - m.y}; });
+    pin(cloth, 0, cloth.model.particleCount());
+    append(cloth, 0.1, 8, 0.1, 8, 0.3, [](const Vec2& m) {
+        const Vec2 p = geometry::rotated(m - Vec2{0.05, 0.05}, 0.3);
+        return Vec3{p.x, 0.0006 + 0.02 * p.x * p.x, -p.y};
+    });
+    SelfContact contact(cloth.model, cloth.surface);
+    dynamics::Stage* stages[]{&contact};
+    const auto rest = dynamics::solveStatic(cloth.model, cloth.state, {0, -9.81, 0}, stages);
+    QVERIFY(rest);
+    QVERIFY2(rest->newton.converged, qPrintable(QString::number(rest->newton.residual)));
+    QCOMPARE(cloth.intersections(), 0);
+    for (int p = static_cast<int>(cloth.model.pinned.size()); p < cloth.model.particleCount(); ++p) {
+        QVERIFY(cloth.state.positions[p].y < thickness);
+        QVERIFY(cloth.state.positions[p].y > 0.8 * thickness); // it weighs 1.5 Pa
+    }
+}
+
+QTEST_APPLESS_MAIN(tst_SelfContactStatics)
+#include "tst_SelfContactStatics.moc"
