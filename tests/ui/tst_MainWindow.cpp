@@ -6,6 +6,7 @@
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QKeySequenceEdit>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -31,6 +32,7 @@ private Q_SLOTS:
     void deleteTakesOutWhatIsSelectedWhateverTheTool();
     void theMouseInSpaceFollowsTheUsersHabits();
     void detailsDrawnByHandAreMeshedAndSewn();
+    void fabricsAreAddedDuplicatedAndDeleted();
 };
 
 void tst_MainWindow::propertiesChangeTheDocument() {
@@ -194,6 +196,26 @@ void tst_MainWindow::detailsDrawnByHandAreMeshedAndSewn() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.workbench.frame()->time > 1.5 && bench.workbench.frame()->largestSeamGap == 0, 120000);
     bench.picture("details-sewn.png");
     bench.key(Qt::Key_Space);
+}
+
+void tst_MainWindow::fabricsAreAddedDuplicatedAndDeleted() {
+    Bench bench;
+    const auto fabrics = [&]() -> auto& { return bench.pattern().fabrics; };
+    QCOMPARE(fabrics().size(), std::size_t(1)); // a new document has one
+    QAction* first = bench.find<QMenu>("fabricMenu")->actions().front();
+    first->trigger();
+    first->trigger(); // the same again is another fabric
+    QCOMPARE(fabrics().size(), std::size_t(3));
+    QVERIFY(fabrics()[1]->id != fabrics()[2]->id);
+    QCOMPARE(QString::fromStdString(fabrics()[2]->name), first->text());
+    QVERIFY(bench.workbench.selection() == Selection{fabrics()[2]->id});
+    bench.find<QPushButton>("duplicate")->click();
+    QCOMPARE(fabrics().size(), std::size_t(4));
+    QCOMPARE(fabrics()[3]->warpStiffness, fabrics()[2]->warpStiffness);
+    bench.find<QPushButton>("remove")->click();
+    QCOMPARE(fabrics().size(), std::size_t(3));
+    bench.workbench.undo();
+    QCOMPARE(fabrics().size(), std::size_t(4));
 }
 
 QTEST_MAIN(tst_MainWindow)

@@ -60,6 +60,15 @@ PropertySheet fabricSheet(const Document&, const Fabric& fabric) {
         sheet.rows.push_back({QStringLiteral("sourceHeading"), tr("Where the numbers come from"), HeadingRow{}});
         sheet.rows.push_back({QStringLiteral("source"), {}, FactRow{QString::fromStdString(fabric.source)}});
     }
+    sheet.rows.push_back({QStringLiteral("duplicate"), tr("Duplicate fabric"), ActionRow{[fabric](const Document& document) {
+                              return document::edited(document, [&](const Pattern& pattern, IdSource& ids) {
+                                  Fabric copy = fabric;
+                                  copy.id = ids.take<FabricId>();
+                                  copy.name = tr("%1, copy").arg(QString::fromStdString(fabric.name)).toStdString();
+                                  return addFabric(pattern, std::move(copy));
+                              });
+                          }}});
+    sheet.rows.push_back({QStringLiteral("remove"), tr("Delete fabric"), ActionRow{setting(fabric.id, removeFabric)}});
     return sheet;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/MainWindow.h"
 
+#include "core/material/FabricPresets.h"
 #include "ui/panels/ObjectList.h"
 #include "ui/panels/PropertyEditor.h"
+#include "ui/workbench/AddFabric.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -113,6 +115,7 @@ void MainWindow::makeMenus() {
     actions_.fill(*file, {"-", "file.save", "file.saveAs", "file.exportDrape", "-", "file.quit"});
     QMenu* edit = menu(tr("&Edit"), {"edit.undo", "edit.redo", "-", "edit.delete", "edit.layOut"});
     actions_.fill(*edit->addMenu(tr("&Place selected pieces")), {"place.front", "place.back", "place.left", "place.right"});
+    makeFabricMenu(*edit->addMenu(tr("Add &fabric")));
     actions_.fill(*edit, {"-", "edit.shortcuts"});
     menu(tr("&Tools"), tools);
     QMenu* view = menu(tr("&View"), {"view.fitAll", "view.fitSelection", "view.zoomIn", "view.zoomOut", "-", "view.front", "view.back",
@@ -122,6 +125,17 @@ void MainWindow::makeMenus() {
     menu(tr("&Avatar"), {"avatar.mannequin", "avatar.import", "avatar.remove"});
     menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset"});
     menu(tr("&Help"), {"help.about"});
+}
+
+/// Everyday fabrics first, then the measured ones.
+void MainWindow::makeFabricMenu(QMenu& menu) {
+    menu.setObjectName(QStringLiteral("fabricMenu"));
+    for (const auto& fabrics : {material::everydayFabrics(), material::measuredFabrics()}) {
+        if (!menu.isEmpty()) menu.addSeparator();
+        for (const material::Fabric& fabric : fabrics)
+            menu.addAction(QString::fromStdString(fabric.name), this,
+                           [this, fabric] { workbench_.take(fabricAdded(workbench_.desk(), fabric)); });
+    }
 }
 
 void MainWindow::makeToolBars() {

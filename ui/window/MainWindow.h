@@ -12,6 +12,7 @@
 
 #include <QMainWindow>
 
+class QMenu;
 class QToolBar;
 
 namespace toile::ui {
@@ -44,6 +45,7 @@ protected:
 private:
     void makeActions();
     void makeMenus();
+    void makeFabricMenu(QMenu& menu);
     void makeToolBars();
     void makeViewBar(); ///< above the 3D view
     void makeViews();
