@@ -21,6 +21,7 @@ struct MeshOptions {
     std::optional<double> spacing; ///< [m]
     std::optional<pattern::LineRule> rule;
     std::string piece;             ///< only this one; empty = all
+    bool regions = true;           ///< false = the main mesh alone
     int repeat = 1;                ///< runs whose median time is reported
     std::string out, report;
 };

@@ -94,8 +94,10 @@ Result<void> run(const MeshOptions& options) {
     Result<pattern::Pattern> pattern = opened->document.pattern;
     if (!options.piece.empty()) pattern = onlyPiece(*pattern, options.piece);
     if (!pattern) return tl::unexpected(pattern.error());
-    const auto input = simulation::meshInputOf(*pattern, {options.spacing, options.rule});
+    auto input = simulation::meshInputOf(*pattern, {options.spacing, options.rule});
     if (!input) return tl::unexpected(input.error());
+    if (!options.regions)
+        for (meshing::PieceInput& piece : input->pieces) piece.regions.clear();
     const auto mesh = meshRepeatedly(*input, options.repeat);
     if (!mesh) return tl::unexpected(mesh.error());
     printSummary(mesh->report);

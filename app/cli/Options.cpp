@@ -48,6 +48,7 @@ void declareMesh(CLI::App& app, std::function<int()>& chosen) {
                "--rule", [options](const pattern::LineRule& rule) { options->rule = rule; }, "how scan lines are chosen")
         ->transform(CLI::CheckedTransformer(rules));
     command->add_option("--piece", options->piece, "only the piece of this name or id");
+    command->add_flag("!--no-regions", options->regions, "the main mesh alone");
     command->add_option("--repeat", options->repeat, "runs whose median time is reported")->check(CLI::Range(1, 1000));
     command->add_option("--out", options->out, "write the mesh: .obj, .svg or .png");
     command->add_option("--report", options->report, "write mesh.json");

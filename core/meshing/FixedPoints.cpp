@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/FixedPoints.h"
 
+#include "core/meshing/LineCrossings.h"
+
 #include <algorithm>
 
 namespace toile::meshing {
@@ -106,6 +108,18 @@ void carryAcrossPiece(const PieceInput& piece, const PieceBoundary& boundary,
     }
 }
 
+/// The paper has a node wherever a scan line meets the border; edges that are sewn are divided evenly
+/// instead.
+void addLineCrossings(const PieceInput& piece, const PieceBoundary& boundary,
+                      const std::vector<std::vector<char>>& sewn,
+                      std::vector<std::vector<std::vector<double>>>& points) {
+    const auto crossings = lineCrossings(piece, boundary);
+    for (std::size_t loop = 0; loop < points.size(); ++loop)
+        for (std::size_t e = 0; e < points[loop].size(); ++e)
+            for (const double fraction : crossings[loop][e])
+                if (!sewn[loop][e]) addPoint(points[loop][e], fraction, boundary.loops[loop].edges[e].length);
+}
+
 } // namespace
 
 std::vector<std::vector<char>> sewnEdges(const PieceInput& piece, int pieceIndex,
@@ -137,10 +151,12 @@ Result<FixedPoints> fixedPoints(const MeshInput& input, const std::vector<PieceB
             changed |= added;
         }
     }
-    for (std::size_t p = 0; p < input.pieces.size(); ++p)
-        if (input.pieces[p].rule == LineRule::regular)
-            carryAcrossPiece(input.pieces[p], boundaries[p],
-                             sewnEdges(input.pieces[p], static_cast<int>(p), seams), points[p]);
+    for (std::size_t p = 0; p < input.pieces.size(); ++p) {
+        const PieceInput& piece = input.pieces[p];
+        const std::vector<std::vector<char>> sewn = sewnEdges(piece, static_cast<int>(p), seams);
+        if (piece.rule == LineRule::regular) carryAcrossPiece(piece, boundaries[p], sewn, points[p]);
+        if (piece.rule == LineRule::paper) addLineCrossings(piece, boundaries[p], sewn, points[p]);
+    }
     return points;
 }
 

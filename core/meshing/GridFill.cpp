@@ -94,8 +94,8 @@ private:
 
 class Filler {
 public:
-    Filler(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice)
-        : frame_(frame), boundary_(boundary), lattice_(lattice), lines_(frame, lattice),
+    Filler(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice, double cleared)
+        : frame_(frame), boundary_(boundary), lattice_(lattice), cleared_(cleared), lines_(frame, lattice),
           segments_(segmentsOfRings(boundary)), byRow_(segmentsByRow(segments_, lines_)) {}
 
     GridFill run() {
@@ -262,8 +262,8 @@ private:
         const Vec2 a{(segment.a.x - x0) * scaleX, (segment.a.y - y0) * scaleY};
         const Vec2 b{(segment.b.x - x0) * scaleX, (segment.b.y - y0) * scaleY};
         const auto range = [&](double low, double high) {
-            return std::pair(std::max(0, static_cast<int>(std::ceil((low - clearance) * u))),
-                             std::min(u, static_cast<int>(std::floor((high + clearance) * u))));
+            return std::pair(std::max(0, static_cast<int>(std::ceil((low - cleared_) * u))),
+                             std::min(u, static_cast<int>(std::floor((high + cleared_) * u))));
         };
         const auto [a0, a1] = range(std::min(a.x, b.x), std::max(a.x, b.x));
         const auto [b0, b1] = range(std::min(a.y, b.y), std::max(a.y, b.y));
@@ -272,7 +272,7 @@ private:
                 const std::size_t node = at(lattice_.nodeAt(column, row, i, j));
                 if (!kept_[node]) continue;
                 const Vec2 p{static_cast<double>(i) / u, static_cast<double>(j) / u};
-                const double radius = clearance / coarsest_[node];
+                const double radius = cleared_ / coarsest_[node];
                 if (squaredLength(p - geometry::closestOnSegment(a, b, p)) < radius * radius * (1 - 1e-9))
                     kept_[node] = 0;
             }
@@ -415,6 +415,7 @@ private:
     const PieceFrame& frame_;
     const BoundaryNodes& boundary_;
     const Lattice& lattice_;
+    double cleared_; ///< of the spacing [–]
     IntegerLines lines_;
     std::vector<Segment> segments_;
     std::vector<std::vector<int>> byRow_;
@@ -456,8 +457,9 @@ void markActiveCells(const PieceFrame& frame, const std::vector<std::vector<Grid
     }
 }
 
-GridFill fillLattice(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice) {
-    return Filler(frame, boundary, lattice).run();
+GridFill fillLattice(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice,
+                     double cleared) {
+    return Filler(frame, boundary, lattice, cleared).run();
 }
 
 } // namespace toile::meshing

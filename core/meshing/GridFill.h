@@ -9,6 +9,8 @@ namespace toile::meshing {
 /// Nodes nearer to the border than this part of their spacing are cleared [–]. Above 0.5 no border segment
 /// can cross an edge between two kept nodes.
 constexpr double clearance = 0.75;
+/// The paper takes every grid point inside; so near to the border its triangles would have no area.
+constexpr double paperClearance = 0.05;
 
 /// Which nodes and cells of a lattice the piece fills.
 struct GridFill {
@@ -25,8 +27,8 @@ struct GridFill {
 void markActiveCells(const PieceFrame& frame, const std::vector<std::vector<GridPoint>>& rings,
                      Lattice& lattice);
 
-/// The cells wholly inside the piece, by exact tests.
+/// The cells wholly inside the piece, by exact tests; nodes nearer to the border than `cleared` are not used.
 [[nodiscard]] GridFill fillLattice(const PieceFrame& frame, const BoundaryNodes& boundary,
-                                   const Lattice& lattice);
+                                   const Lattice& lattice, double cleared = clearance);
 
 } // namespace toile::meshing

@@ -204,15 +204,17 @@ Result<PieceMesh> meshedPiece(const PieceInput& piece, int pieceIndex, const Pie
                               const BoundaryNodes& nodes, const BoundaryDivision& division,
                               Lattice& lattice) {
     markActiveCells(boundary.frame, ringPoints(nodes), lattice);
-    if (piece.rule != LineRule::paper) {
+    const bool literal = piece.rule == LineRule::paper;
+    if (!literal) {
         seedFromBorder(seedsOf(nodes, boundary.frame, pieceIndex, division), lattice);
         balance(lattice);
     }
     if (auto fits = affordable(piece, lattice); !fits) return tl::unexpected(fits.error());
     lattice.numberNodes();
-    GridFill fill = fillLattice(boundary.frame, nodes, lattice);
+    GridFill fill = fillLattice(boundary.frame, nodes, lattice, literal ? paperClearance : clearance);
     CellMesh cells = cellMesh(boundary.frame, nodes, lattice, fill);
-    improveStrip(boundary.frame, nodes, lattice, fill, cells);
+    improveStrip(boundary.frame, nodes, lattice, fill, cells,
+                 {.passes = literal ? 0 : ImprovementSettings{}.passes});
     if (auto sound = everyTriangleHasArea(piece, boundary.frame, cells); !sound)
         return tl::unexpected(sound.error());
     mergePairs(cells);

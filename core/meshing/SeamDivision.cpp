@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/SeamDivision.h"
 
+#include "core/meshing/LineCrossings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -56,6 +58,14 @@ int partsOnLines(double length, double spacing, double finest) {
     return partsOf(length, spacing) * static_cast<int>(std::lround(spacing / finest));
 }
 
+/// Into how many parts scan lines cut a stretch of an edge.
+int partsBetween(const std::vector<double>& crossings, double from, double to) {
+    constexpr double same = 1e-9; // a crossing that is an end of the stretch cuts nothing off
+    return 1 + static_cast<int>(std::count_if(crossings.begin(), crossings.end(), [&](double crossing) {
+               return crossing > from + same && crossing < to - same;
+           }));
+}
+
 constexpr double shortEdge = 0.25; ///< of the spacing; longer edges keep their ends [–]
 constexpr double sharpTurn = 15 * std::numbers::pi / 180;      ///< a corner [rad]
 constexpr double largestRunTurn = 30 * std::numbers::pi / 180; ///< between two nodes of a run [rad]
@@ -99,6 +109,9 @@ Result<BoundaryDivision> BoundaryDivision::create(const MeshInput& input,
     std::vector<int> needed;
     for (std::size_t p = 0; p < points.size(); ++p) {
         auto& loops = division.stretches_.emplace_back();
+        const bool literal = input.pieces[p].rule == LineRule::paper;
+        const auto crossings = literal ? lineCrossings(input.pieces[p], boundaries[p])
+                                       : std::vector<std::vector<std::vector<double>>>{};
         for (std::size_t loop = 0; loop < points[p].size(); ++loop) {
             auto& edges = loops.emplace_back();
             for (std::size_t e = 0; e < points[p][loop].size(); ++e) {
@@ -114,8 +127,11 @@ Result<BoundaryDivision> BoundaryDivision::create(const MeshInput& input,
                     const double finest = spacing(static_cast<int>(p), static_cast<int>(loop),
                                                   static_cast<int>(e), places[i], places[i + 1]);
                     needed.push_back(arc.collapsed ? 1
-                                     : lined       ? partsOnLines(length, input.pieces[p].spacing, finest)
-                                                   : partsOf(length, finest));
+                                     : literal
+                                         ? partsBetween(crossings[loop][e], places[i], places[i + 1]) *
+                                               static_cast<int>(std::lround(input.pieces[p].spacing / finest))
+                                     : lined ? partsOnLines(length, input.pieces[p].spacing, finest)
+                                             : partsOf(length, finest));
                     groups.parent.push_back(group);
                 }
             }
@@ -126,6 +142,10 @@ Result<BoundaryDivision> BoundaryDivision::create(const MeshInput& input,
         const std::vector<std::vector<char>> sewn = sewnEdges(input.pieces[p], static_cast<int>(p), seams);
         for (int loop = 0; loop < loopCount(input.pieces[p]); ++loop) {
             const BoundaryLoop& edges = loopOf(input.pieces[p], loop);
+            if (input.pieces[p].rule == LineRule::paper) { // a node at every authored vertex
+                division.passed_[p].emplace_back(edges.size(), char{0});
+                continue;
+            }
             division.passed_[p].push_back(
                 passedEnds(edges, boundaries[p].loops[at(loop)], sewn[at(loop)], input.pieces[p].spacing));
         }

@@ -27,6 +27,7 @@ private slots:
     void theSpacingsOfTheSidesAreCompared();
     void aTableIsPrintedForPeople();
     void onePieceAlone();
+    void theMainMeshAlone();
     void anUnknownPieceIsNamed();
     void halfTheSpacingGivesAboutFourTimesTheCells();
     void everyFormatIsWritten_data();
@@ -94,6 +95,15 @@ void tst_MeshCommand::aTableIsPrintedForPeople() {
 void tst_MeshCommand::onePieceAlone() {
     const Json json = report({sample("blouse.toile"), "--piece", "Cuff left"});
     QCOMPARE(json.find("pieces")->asArray()->size(), std::size_t(1));
+}
+
+void tst_MeshCommand::theMainMeshAlone() {
+    const QStringList back{sample("blouse.toile"), "--piece", "Back", "--rule", "paper"};
+    const Json with = report(back), without = report(back + QStringList{"--no-regions"});
+    QCOMPARE(with.find("pieces")->asArray()->front().find("regions")->asArray()->size(), std::size_t(4));
+    QVERIFY(without.find("pieces")->asArray()->front().find("regions")->asArray()->empty());
+    QVERIFY(number(*without.find("total"), "nodes") < number(*with.find("total"), "nodes"));
+    QCOMPARE(number(*without.find("total"), "slaves"), 0.0);
 }
 
 void tst_MeshCommand::anUnknownPieceIsNamed() {

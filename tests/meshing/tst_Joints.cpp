@@ -17,6 +17,8 @@ private slots:
     void theAreaErrorIsThatOfTheChords();
     void threadsDoNotChangeTheMesh();
     void thePaperRuleLeavesLongChainsOfSlaves();
+    void thePaperRuleHasNodesWhereScanLinesMeetTheBorder();
+    void thePaperRuleDividesSewnEdgesAlike();
     void theReportOfASquareIsKnown();
     void theReportTellsAnglesAndAlignment();
     void aMeshThatIsNotJudgedIsTheSame();
@@ -139,6 +141,44 @@ void tst_Joints::thePaperRuleLeavesLongChainsOfSlaves() {
     QCOMPARE(garment->pieces[0].slaves.size(),
              std::size_t{4 * 8 * 3}); // three on each coarse side, at t = k/4
     QCOMPARE(garment->pieces[0].rectangles.size(), std::size_t{256 - 64 + 64 * 16});
+}
+
+void tst_Joints::thePaperRuleHasNodesWhereScanLinesMeetTheBorder() {
+    // Vertices at x = 0, 0.1, 0.4 and y = 0, 0.05, 0.35: gaps divided below 0.08 m.
+    PieceInput piece = polygonPiece({{0, 0}, {0.4, 0.05}, {0.1, 0.35}}, 0.08);
+    piece.rule = LineRule::paper;
+    const auto garment = meshGarment(inputOf(piece));
+    QVERIFY(garment);
+    const PieceMesh& mesh = garment->pieces[0];
+    QCOMPARE(QString::fromStdString(defectOf(mesh)), QString());
+    const std::vector<double> x{0, 0.05, 0.1, 0.175, 0.25, 0.325, 0.4}, y{0, 0.05, 0.125, 0.2, 0.275, 0.35};
+    const auto nearest = [](const std::vector<double>& lines, double at) {
+        double least = 1e9;
+        for (const double line : lines) least = std::min(least, std::abs(line - at));
+        return least;
+    };
+    std::size_t nodes = 0;
+    for (const EdgeNodes& edge : mesh.loops[0])
+        for (std::size_t k = 0; k + 1 < edge.size(); ++k, ++nodes) {
+            const Vec2 node = mesh.nodes[at(edge[k].node)];
+            QVERIFY(std::min(nearest(x, node.x), nearest(y, node.y)) < 1e-9);
+        }
+    // The vertices and the lines between the ends of each edge: 5; 3 where both families meet; 1 and 4.
+    QCOMPARE(nodes, std::size_t{3 + 5 + 3 + (1 + 4)});
+}
+
+void tst_Joints::thePaperRuleDividesSewnEdgesAlike() {
+    MeshInput input{
+        {rectanglePiece(0.3, 0.4, 0.05), polygonPiece({{0, 0}, {0.3, 0}, {0.27, 0.4}, {0, 0.4}}, 0.03)}, {}};
+    for (PieceInput& piece : input.pieces) piece.rule = LineRule::paper;
+    input.seams = {{"s", {{{{0, 0, 1}}, {{1, 0, 1}}}}, {}}};
+    const auto garment = meshGarment(input);
+    QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
+    const SewnAlike alike = sewnAlike(garment->report.seams[0]);
+    QVERIFY(alike.length && alike.count && alike.unit);
+    QCOMPARE(garment->report.seams[0].countA,
+             14 + 1); // 0.4 m in 14 rows below 0.03 m; the one column between is the edge itself
+    for (const PieceMesh& mesh : garment->pieces) QCOMPARE(QString::fromStdString(defectOf(mesh)), QString());
 }
 
 void tst_Joints::theReportOfASquareIsKnown() {
