@@ -155,6 +155,15 @@ void SelfContact::seekPiercings(std::span<const Vec3> positions) {
     mayPierce_ = !piercings_.empty();
 }
 
+std::vector<Vec3> SelfContact::crossingPlaces(std::span<const Vec3> positions) const {
+    std::vector<Vec3> places;
+    for (const auto& [edge, triangle] : piercings_) {
+        const auto& [p, q] = proximity_->edges()[edge].vertices;
+        places.push_back(lerp(positions[p], positions[q], 0.5));
+    }
+    return places;
+}
+
 /// Whether every particle is near the way that was foreseen when neighbours were sought.
 bool SelfContact::foreseen(std::span<const Vec3> positions, double time) const {
     if (from_.size() != positions.size()) return false;

@@ -64,6 +64,8 @@ public:
 
     /// Edges that passed through triangles when neighbours were last sought.
     [[nodiscard]] int crossings() const { return static_cast<int>(piercings_.size()); }
+    /// Where they are: the middles of the edges [m].
+    [[nodiscard]] std::vector<Vec3> crossingPlaces(std::span<const Vec3> positions) const;
     /// No layer has crossed another since the last one that had was drawn apart, and none is let through for
     /// a seam.
     [[nodiscard]] bool guaranteed() const { return !mayPierce_ && surface_.ignored.empty(); }

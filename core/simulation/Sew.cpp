@@ -2,6 +2,7 @@
 #include "core/simulation/Sew.h"
 
 #include "core/dynamics/Energy.h"
+#include "core/dynamics/SelfContact.h"
 #include "core/simulation/Inspect.h"
 
 #include <algorithm>
@@ -115,6 +116,18 @@ void warnOfOpenSeams(SewReport& result) {
                                        fmt::format("The seam is not closed; its gap is {:.1f} mm.", 1000 * seam.gap.maximum)});
 }
 
+/// One warning for each place, and no more than a reader can look at.
+void warnOfCrossedLayers(SewReport& result, const Simulation& simulation) {
+    constexpr std::size_t most = 10;
+    const auto* contact = dynamic_cast<const dynamics::SelfContact*>(simulation.plan().find("self-contact"));
+    if (!contact) return;
+    const std::vector<Vec3> places = contact->crossingPlaces(simulation.state().positions);
+    for (std::size_t i = 0; i < std::min(places.size(), most); ++i)
+        result.warnings.push_back({fmt::format("({:.3f}, {:.3f}, {:.3f}) m", places[i].x, places[i].y, places[i].z),
+                                   fmt::format("Layers have crossed here and could not be drawn apart ({} of {}).", i + 1,
+                                               places.size())});
+}
+
 void warnOfUnsolvedSteps(SewReport& result) {
     for (const PhaseRun& phase : result.phases)
         if (phase.unsolvedSteps > 0)
@@ -167,6 +180,7 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     for (std::size_t seam = 0; seam < simulation.seams().size(); ++seam)
         result.seams.push_back({simulation.seams()[seam], simulation.seams()[seam].merged ? SeamGap{} : simulation.gapOf(seam)});
     warnOfOpenSeams(result);
+    warnOfCrossedLayers(result, simulation);
     result.phases = simulation.phases();
     warnOfUnsolvedSteps(result);
     for (const Warning& warning : simulation.garment().mesh->report.warnings) result.warnings.push_back(warning);
