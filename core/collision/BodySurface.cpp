@@ -3,6 +3,7 @@
 
 #include "core/base/Contracts.h"
 #include "core/collision/BoxTree.h"
+#include "core/collision/Bumps.h"
 #include "core/collision/ClosestPoint.h"
 #include "core/collision/SurfaceNormals.h"
 
@@ -14,6 +15,8 @@ namespace {
 /// Nearer than this to the surface [m] the direction from the surface to the point is rounding; the normal of the
 /// surface stands for it.
 constexpr double onSurface = 1e-9;
+/// A cell of 20 mm dips by 20²/(8·25) = 2 mm into a ball of this radius [m], which the skin offset allows.
+constexpr double sharp = 0.025;
 
 Result<void> check(const geometry::TriangleMesh& mesh) {
     if (mesh.triangles.empty()) return fail(ErrorCode::invalidInput, "The body has no triangles.");
@@ -32,9 +35,10 @@ struct BodySurface::Tree {
     geometry::TriangleMesh mesh;
     SurfaceNormals normals;
     std::vector<BoxNode> boxes;
+    std::vector<Vec3> bumps;
 
     explicit Tree(geometry::TriangleMesh given)
-        : mesh(std::move(given)), normals(mesh), boxes(boxTreeOf(mesh)) {}
+        : mesh(std::move(given)), normals(mesh), boxes(boxTreeOf(mesh)), bumps(bumpsOf(mesh, sharp)) {}
 
     [[nodiscard]] TrianglePoint closest(int triangle, const Vec3& p) const {
         const auto& [a, b, c] = mesh.triangles[triangle];
@@ -90,6 +94,7 @@ BodySurface& BodySurface::operator=(BodySurface&&) noexcept = default;
 BodySurface::~BodySurface() = default;
 
 const geometry::TriangleMesh& BodySurface::mesh() const { return tree_->mesh; }
+const std::vector<Vec3>& BodySurface::bumps() const { return tree_->bumps; }
 bool BodySurface::isClosed() const { return tree_->normals.isClosed(); }
 
 std::size_t BodySurface::bytes() const {

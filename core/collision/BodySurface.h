@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace toile::collision {
 
@@ -30,6 +31,8 @@ public:
 
     [[nodiscard]] const geometry::TriangleMesh& mesh() const;
     [[nodiscard]] bool isClosed() const;
+    /// Where it is sharper than a ball of 25 mm: cloth needs a closer look there.
+    [[nodiscard]] const std::vector<Vec3>& bumps() const;
     [[nodiscard]] std::size_t bytes() const;
 
     /// Nearest surface point within searchRadius [m] of the point; none if there is no triangle so near.

@@ -22,14 +22,15 @@ void leaveOutElements(StepPlan& plan, const Garment& garment) {
 
 } // namespace
 
-StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body, std::vector<SeamPair> pairs) {
+StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body, std::vector<SeamPair> pairs,
+                std::span<const Vec3> positions) {
     StepPlan plan;
     leaveOutElements(plan, garment);
 
     if (!pairs.empty()) plan.add(std::make_unique<SeamClosing>(std::move(pairs), SeamClosingSettings{.duration = scene.settings.seamTime}));
     else plan.leaveOut("seams", garment.mergedSeams.empty() ? "the pattern has no seam" : "all seams are merged");
 
-    if (body) plan.add(bodyContactOf(scene, garment, *body));
+    if (body) plan.add(bodyContactOf(scene, garment, *body, positions));
     else plan.leaveOut("body contact", "no body");
 
     if (!scene.settings.selfContact) plan.leaveOut("self-contact", "the scene does not ask for it");

@@ -10,8 +10,8 @@
 namespace toile::simulation {
 
 /// What one step of this scene does: read from top to bottom. body may be null; pairs are those of seams being
-/// closed.
+/// closed; positions those of the particles now [m].
 [[nodiscard]] StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
-                              std::vector<SeamPair> pairs);
+                              std::vector<SeamPair> pairs, std::span<const Vec3> positions);
 
 } // namespace toile::simulation

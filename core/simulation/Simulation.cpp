@@ -154,7 +154,7 @@ void Simulation::rebuildPlan() {
     addCosts(formerCosts_, plan_.costs());
     Scene now = scene_;
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
-    plan_ = planOf(now, *garment_, body_.get(), std::move(pairs));
+    plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), state_.positions);
     xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model, dynamics::XpbdSettings{.damping = damping(), .speedLimit = 10});
     substeps_ = scene_.settings.substeps > 0 ? scene_.settings.substeps
                                              : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
