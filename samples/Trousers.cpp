@@ -190,6 +190,7 @@ document::Document trousers(const body::Measurements& m, const body::Body& body,
     document.avatarFile = "bodies/mannequin.glb";
     document.scene.substeps = s.substeps;
     document.scene.skinOffset = s.skinOffset;
+    document.scene.damping = s.damping;
     document.scene.selfContact = true; // the legs meet at the crotch
     return document;
 }

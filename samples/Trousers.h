@@ -17,6 +17,7 @@ struct TrousersSettings {
     double sideCurve = 0.05;   ///< the sides arrive at the waist so much steeper than straight from the hip [rad]
     double waistbandWidth = 0.035;
     double skinOffset = 0.002; ///< a fitted waistband lies closer to the skin than a blouse
+    double damping = 2;        ///< a crease over the seat trembles for long with less [1/s]
     int substeps = 160;        ///< of a frame step: the band is pulled tight over the hip
 };
 
