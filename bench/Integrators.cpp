@@ -65,13 +65,12 @@ Run run(const Flap& flap, const Setup& setup, int repetitions) {
     return best;
 }
 
-void printRow(const std::string& what, const Flap& flap, const Run& result,
-              const std::vector<Vec3>& reference, double unit) {
+void printRow(const std::string& what, const Flap& flap, const Run& result, const std::vector<Vec3>& reference,
+              double unit) {
     fmt::print("| {:<44} | {:>10.4g} | {:>7.3f} | {:>6.1f} | {:>6} | {:>5} | {:>5} | {:>6} | {} |\n", what,
-               1000 * rmsDistance(flap.model, result.positions, reference), result.seconds,
-               result.seconds / unit, result.report.parts, result.report.newtonIterations,
-               result.report.factorizations, result.report.gradientIterations,
-               result.report.accurate ? "" : "not solved");
+               1000 * rmsDistance(flap.model, result.positions, reference), result.seconds, result.seconds / unit,
+               result.report.parts, result.report.newtonIterations, result.report.factorizations,
+               result.report.gradientIterations, result.report.accurate ? "" : "not solved");
     std::fflush(stdout);
 }
 
@@ -90,18 +89,16 @@ void compare(int cells, double factor, bool quick) {
     printRow("symplectic Euler, 0.9 of its limit", sheet, euler, reference, euler.seconds);
     Flap paper = sheet;
     (void)cloth::flexionInsteadOfBending(paper.model, 5); // a radius of 0.2 m
-    printRow("symplectic Euler, flexion springs", sheet,
-             run(paper, {Method::symplecticEuler, duration / 24}, 1), reference, euler.seconds);
+    printRow("symplectic Euler, flexion springs", sheet, run(paper, {Method::symplecticEuler, duration / 24}, 1),
+             reference, euler.seconds);
     const auto row = [&](const std::string& what, const Setup& setup) {
         printRow(what, sheet, run(sheet, setup, quick ? 1 : 3), reference, euler.seconds);
     };
     const auto implicitRows = [&](Method method, std::initializer_list<int> perSecond) {
-        for (const int n : perSecond)
-            row(fmt::format("{}, 1/{} s", dynamics::nameOf(method), n), {method, 1.0 / n});
+        for (const int n : perSecond) row(fmt::format("{}, 1/{} s", dynamics::nameOf(method), n), {method, 1.0 / n});
     };
     implicitRows(Method::trBdf2, {60, 120, 240});
-    row("trbdf2, 1/60 s, factor only",
-        {Method::trBdf2, 1.0 / 60, {.damping = flapDamping, .gradientIterations = 0}});
+    row("trbdf2, 1/60 s, factor only", {Method::trBdf2, 1.0 / 60, {.damping = flapDamping, .gradientIterations = 0}});
     for (const double tolerance : {1e-3, 1e-4, 1e-5})
         row(fmt::format("trbdf2, adaptive to {:g} mm a part", 1000 * tolerance),
             {Method::trBdf2, 1.0 / 60, {.damping = flapDamping, .positionTolerance = tolerance}});

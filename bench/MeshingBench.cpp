@@ -38,8 +38,7 @@ std::uint64_t hashOf(const meshing::PieceMesh& mesh) {
     std::uint64_t hash = 14695981039346656037ULL;
     const auto add = [&](const auto& values) {
         const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
-        for (std::size_t i = 0; i < values.size() * sizeof(values[0]); ++i)
-            hash = (hash ^ bytes[i]) * 1099511628211ULL;
+        for (std::size_t i = 0; i < values.size() * sizeof(values[0]); ++i) hash = (hash ^ bytes[i]) * 1099511628211ULL;
     };
     add(mesh.nodes);
     add(mesh.display);
@@ -136,14 +135,13 @@ void millionCellsWithElements(benchmark::State& state) {
         const double start = threadSeconds();
         auto mesh = meshing::meshGarment(*input, {.judged = false});
         const double meshBytes = static_cast<double>(mesh->report.total.bytes);
-        const auto garment =
-            simulation::makeGarment(pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), {});
+        const auto garment = simulation::makeGarment(pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), {});
         const double used = threadSeconds() - start;
         if (!garment) std::abort();
         const cloth::ClothModel& model = garment->model;
         bytes = meshBytes + bytesOf(model.mass) + bytesOf(model.structural) + bytesOf(model.shear) +
-                bytesOf(model.bending) + bytesOf(model.twist) + bytesOf(model.hinges) +
-                bytesOf(model.triangles) + bytesOf(model.cells) + bytesOf(garment->particles.particleOf);
+                bytesOf(model.bending) + bytesOf(model.twist) + bytesOf(model.hinges) + bytesOf(model.triangles) +
+                bytesOf(model.cells) + bytesOf(garment->particles.particleOf);
         state.SetIterationTime(used);
         seconds += used;
     }

@@ -45,7 +45,8 @@ struct Torso {
 
 Torso draftTorso(const body::Measurements& m, const Figures& f, const Fabric& fabric, const BlouseSettings& s) {
     const UpperBlock block = draftUpperBlock(m, f, s.block);
-    Torso torso{pieceNamed("front-left", "Front left", fabric, s.spacing), pieceNamed("back", "Back", fabric, s.spacing)};
+    Torso torso{pieceNamed("front-left", "Front left", fabric, s.spacing),
+                pieceNamed("back", "Back", fabric, s.spacing)};
     torso.front.outline = halfContour("front-left", block.front);
     torso.back.outline = contourOf("back", wholeFromHalf(block.back, "neck-centre", "-right", "-left"));
     const NotchDistances at;
@@ -57,7 +58,10 @@ Torso draftTorso(const body::Measurements& m, const Figures& f, const Fabric& fa
 }
 
 SleeveSettings sleeveSettings(const body::Measurements& m, const BlouseSettings& s) {
-    return {.width = m.biceps + s.bicepsEase, .bicepsBelow = s.bicepsBelow, .bottom = m.wrist + s.wristEase, .frontEase = s.frontCapEase,
+    return {.width = m.biceps + s.bicepsEase,
+            .bicepsBelow = s.bicepsBelow,
+            .bottom = m.wrist + s.wristEase,
+            .frontEase = s.frontCapEase,
             .backEase = s.backCapEase};
 }
 
@@ -87,8 +91,9 @@ Piece draftCuff(const body::Measurements& m, const Fabric& fabric, const BlouseS
 Placement placedCuff(const body::Body& body, double sleeveBottom, double girth, double width) {
     const LimbLine line = armLine(body, true);
     const double top = sleeveBottom + 0.012;
-    return placedTube(line, top, std::max(girth / (2 * std::numbers::pi * 0.94),
-                                          limbRadius(body, line, top, top + width, 0.09) + 0.008));
+    return placedTube(
+        line, top,
+        std::max(girth / (2 * std::numbers::pi * 0.94), limbRadius(body, line, top, top + width, 0.09) + 0.008));
 }
 
 std::vector<Seam> sewHalf(const std::string& side, const Piece& front, const HalfEdges& back, const Piece& sleeve,
@@ -96,7 +101,8 @@ std::vector<Seam> sewHalf(const std::string& side, const Piece& front, const Hal
     std::vector<Seam> seams{seam("dart " + side, {along(front, "dart-lower")}, {against(front, "dart-upper")}),
                             seam("cuff " + side, {along(sleeve, "bottom")}, {against(cuff, "top")}),
                             seam("cuff seam " + side, {along(cuff, "right")}, {against(cuff, "left")})};
-    for (const auto& more : {sewSide(side, halfOf(front), back), sewSleeve(side, sleeve, halfOf(front), back, settings)})
+    for (const auto& more :
+         {sewSide(side, halfOf(front), back), sewSleeve(side, sleeve, halfOf(front), back, settings)})
         seams.insert(seams.end(), more.begin(), more.end());
     return seams;
 }
@@ -124,8 +130,9 @@ document::Document blouse(const body::Measurements& m, const body::Body& body, c
     pattern.fabrics = {fabric};
     pattern.pieces = {torso.front, frontRight, torso.back, sleeve.piece, sleeveRight, cuff, cuffRight};
     pattern.seams = {seam("centre front", {along(torso.front, "centre")}, {along(frontRight, "centre")})};
-    for (const auto& half : {sewHalf("left", torso.front, negativeHalf(torso.back, "-left"), sleeve.piece, cuff, sleeveDraft),
-                             sewHalf("right", frontRight, positiveHalf(torso.back, "-right"), sleeveRight, cuffRight, sleeveDraft)})
+    for (const auto& half :
+         {sewHalf("left", torso.front, negativeHalf(torso.back, "-left"), sleeve.piece, cuff, sleeveDraft),
+          sewHalf("right", frontRight, positiveHalf(torso.back, "-right"), sleeveRight, cuffRight, sleeveDraft)})
         pattern.seams.insert(pattern.seams.end(), half.begin(), half.end());
     document.avatarFile = "bodies/mannequin.glb";
     return document;

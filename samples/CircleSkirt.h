@@ -8,9 +8,9 @@ namespace toile::samples {
 
 /// A full circle skirt of two halves with seams before and behind, on a waistband.
 struct CircleSkirtSettings {
-    double spacing = 0.025;       ///< ε_m [m]
-    double waistEase = 0.01;      ///< of waistband and waist edge [m]
-    double length = 0.50;         ///< waist edge to hem [m]
+    double spacing = 0.025;        ///< ε_m [m]
+    double waistEase = 0.01;       ///< of waistband and waist edge [m]
+    double length = 0.50;          ///< waist edge to hem [m]
     double waistbandWidth = 0.035; ///< [m]
 };
 

@@ -7,7 +7,9 @@ namespace toile::samples {
 namespace {
 
 /// Distance of two points in the plane of symmetry.
-double sagittalDistance(const Vec3& a, const Vec3& b) { return std::hypot(a.y - b.y, a.z - b.z); }
+double sagittalDistance(const Vec3& a, const Vec3& b) {
+    return std::hypot(a.y - b.y, a.z - b.z);
+}
 
 } // namespace
 

@@ -10,7 +10,9 @@ namespace {
 
 using namespace pattern;
 
-Vec3 reflected(const Vec3& p) { return {-p.x, p.y, p.z}; }
+Vec3 reflected(const Vec3& p) {
+    return {-p.x, p.y, p.z};
+}
 
 Transform standing(const Panel& panel) {
     const double c = std::cos(panel.lean), s = std::sin(panel.lean), side = panel.behind ? -1 : 1;
@@ -69,7 +71,8 @@ LimbLine armLine(const body::Body& body, bool left) {
     const auto wanted = left ? body::Limb::leftArm : body::Limb::rightArm;
     const auto axis = std::ranges::find(body.axes, wanted, &body::LimbAxis::limb);
     expects(axis != body.axes.end(), "a human body has arms");
-    const Vec3 shoulder = *std::ranges::min_element(axis->points, {}, [&](const Vec3& p) { return distance(p, acromion); });
+    const Vec3 shoulder =
+        *std::ranges::min_element(axis->points, {}, [&](const Vec3& p) { return distance(p, acromion); });
     return {shoulder, normalized(wrist - shoulder)};
 }
 

@@ -13,11 +13,11 @@ namespace toile::samples {
 /// A vertical panel before (facing +z) or behind (facing −z) the body.
 struct Panel {
     bool behind = false;
-    double height = 0;    ///< of the piece's origin [m]
-    double lean = 0;      ///< its top towards the body [rad]
-    double radius = 0.22; ///< of the curl [m]
+    double height = 0;       ///< of the piece's origin [m]
+    double lean = 0;         ///< its top towards the body [rad]
+    double radius = 0.22;    ///< of the curl [m]
     double clearance = 0.02; ///< to the body [m]
-    double aside = 0;     ///< x of the piece's origin [m]
+    double aside = 0;        ///< x of the piece's origin [m]
 };
 
 /// Moves the panel towards the body until a body point behind the piece is as near as the clearance.
@@ -39,7 +39,8 @@ struct LimbLine {
 [[nodiscard]] std::vector<Vec2> pointsOn(const pattern::Piece& piece, double step);
 
 /// The least distance between points on the placed piece and vertices of the body [m].
-[[nodiscard]] double clearanceOf(const pattern::Piece& piece, const pattern::Placement& placement, const body::Body& body);
+[[nodiscard]] double clearanceOf(const pattern::Piece& piece, const pattern::Placement& placement,
+                                 const body::Body& body);
 
 /// How far a limb reaches from its line between two distances along it [m].
 [[nodiscard]] double limbRadius(const body::Body& body, const LimbLine& limb, double from, double to, double within);

@@ -33,7 +33,9 @@ Piece mirrorPiece(const std::string& id, const std::string& name, const Piece& s
 
 namespace {
 
-const std::string& sourceName(const Piece& piece) { return piece.mirror ? piece.mirror->source.value : piece.id.value; }
+const std::string& sourceName(const Piece& piece) {
+    return piece.mirror ? piece.mirror->source.value : piece.id.value;
+}
 
 std::vector<SeamPart> partsOf(const std::vector<Side>& sides) {
     std::vector<SeamPart> parts;
@@ -43,10 +45,15 @@ std::vector<SeamPart> partsOf(const std::vector<Side>& sides) {
 
 } // namespace
 
-Side along(const Piece& piece, const std::string& edge) { return {piece.id, edgeId(sourceName(piece), edge), false}; }
-Side against(const Piece& piece, const std::string& edge) { return {piece.id, edgeId(sourceName(piece), edge), true}; }
+Side along(const Piece& piece, const std::string& edge) {
+    return {piece.id, edgeId(sourceName(piece), edge), false};
+}
+Side against(const Piece& piece, const std::string& edge) {
+    return {piece.id, edgeId(sourceName(piece), edge), true};
+}
 
-Seam seam(const std::string& name, const std::vector<Side>& a, const std::vector<Side>& b, std::vector<SeamSection> sections) {
+Seam seam(const std::string& name, const std::vector<Side>& a, const std::vector<Side>& b,
+          std::vector<SeamSection> sections) {
     std::string id = "seam-" + name;
     std::ranges::replace(id, ' ', '-');
     Seam seam;

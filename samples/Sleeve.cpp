@@ -45,15 +45,16 @@ Sleeve draftSleeve(const Armholes& armholes, const SleeveSettings& s) {
     };
     // The height gives the cap's whole length, the place of its top shares it between front and back.
     const auto topAt = [&](double height) {
-        const double x = rootOf([&](double offset) {
-            return geometry::length(frontCap({offset, height})) - (armholes.front + s.frontEase) -
-                   (geometry::length(backCap({offset, height})) - (armholes.back + s.backEase));
-        }, -0.6 * half, 0.6 * half);
+        const double x = rootOf(
+            [&](double offset) {
+                return geometry::length(frontCap({offset, height})) - (armholes.front + s.frontEase) -
+                       (geometry::length(backCap({offset, height})) - (armholes.back + s.backEase));
+            },
+            -0.6 * half, 0.6 * half);
         return Vec2{x, height};
     };
-    const double height = rootOf([&](double h) {
-        return geometry::length(backCap(topAt(h))) - (armholes.back + s.backEase);
-    }, 0.02, 0.25);
+    const double height = rootOf(
+        [&](double h) { return geometry::length(backCap(topAt(h))) - (armholes.back + s.backEase); }, 0.02, 0.25);
     const Vec2 top = topAt(height);
 
     const Vec2 bottomFront{-tube.halfBottom, tube.bottomY}, bottomBack{tube.halfBottom, tube.bottomY};

@@ -12,11 +12,11 @@ struct Armholes {
 };
 
 struct SleeveSettings {
-    double width = 0.34;        ///< at the biceps [m]
-    double bicepsBelow = 0;     ///< where the biceps is measured, beneath the cap's base [m]
-    double bottom = 0.22;       ///< length of the bottom edge [m]
+    double width = 0.34;          ///< at the biceps [m]
+    double bicepsBelow = 0;       ///< where the biceps is measured, beneath the cap's base [m]
+    double bottom = 0.22;         ///< length of the bottom edge [m]
     double underarmLength = 0.42; ///< the sleeve seam [m]
-    double frontEase = 0.005;   ///< cap longer than the armhole, all of it above the notch [m]
+    double frontEase = 0.005;     ///< cap longer than the armhole, all of it above the notch [m]
     double backEase = 0.007;
 };
 

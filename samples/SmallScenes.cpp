@@ -18,7 +18,9 @@ constexpr double tableRadius = 0.45, tableHeight = 0.735; // [m]
 constexpr double cylinderRadius = 0.10, cylinderHeight = 0.60;
 
 /// Level, right side up, the piece's y axis away from the viewer (−z).
-Transform lyingAt(const Vec3& origin) { return {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}, origin}; }
+Transform lyingAt(const Vec3& origin) {
+    return {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}, origin};
+}
 
 Fabric linearCloth(const std::string& id, double stiffness) {
     Fabric fabric;
@@ -92,7 +94,8 @@ document::Document tubeRoundCylinder(const TubeScene& scene) {
     const double half = std::numbers::pi * scene.restRadius;
     tube.outline = contourOf("tube", rectangle({-half, -scene.height / 2}, {half, scene.height / 2}));
     const double radius = cylinderRadius + 0.01; // clear of the body; the seam closes the rest
-    tube.placement = Placement{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, cylinderHeight / 2, radius}}, Curl{{0, 1}, radius}};
+    tube.placement =
+        Placement{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, cylinderHeight / 2, radius}}, Curl{{0, 1}, radius}};
     document.pattern.fabrics = {fabric};
     document.pattern.pieces = {tube};
     document.pattern.seams = {seam("tube seam", {along(tube, "right")}, {against(tube, "left")})};
@@ -112,7 +115,8 @@ document::Document twoSquares(double side, double spacing) {
         return piece;
     };
     constexpr double gap = 0.2;
-    const Piece left = square("left", "Left square", -(side + gap) / 2), right = square("right", "Right square", (side + gap) / 2);
+    const Piece left = square("left", "Left square", -(side + gap) / 2),
+                right = square("right", "Right square", (side + gap) / 2);
     document.pattern.fabrics = {fabric};
     document.pattern.pieces = {left, right};
     document.pattern.seams = {seam("middle", {along(left, "right")}, {against(right, "left")})};
@@ -122,8 +126,8 @@ document::Document twoSquares(double side, double spacing) {
 }
 
 geometry::TriangleMesh tableMesh() {
-    std::vector<Vec2> profile{{0, 0}, {0.20, 0}, {0.22, 0.01}, {0.20, 0.02}, {0.05, 0.04}, {0.04, 0.10}, {0.04, 0.60},
-                              {0.05, 0.68}, {0.20, 0.70}};
+    std::vector<Vec2> profile{{0, 0},       {0.20, 0},    {0.22, 0.01}, {0.20, 0.02}, {0.05, 0.04},
+                              {0.04, 0.10}, {0.04, 0.60}, {0.05, 0.68}, {0.20, 0.70}};
     constexpr double rim = 0.012; // radius of the rounding
     constexpr int steps = 8;
     for (int i = 0; i <= steps; ++i) { // half a circle from the underside to the top

@@ -6,8 +6,12 @@ namespace toile::samples {
 using namespace pattern;
 using geometry::Curve;
 
-EdgeId edgeId(const std::string& piece, const std::string& name) { return EdgeId{piece + "." + name}; }
-VertexId vertexId(const std::string& piece, const std::string& name) { return VertexId{piece + "." + name}; }
+EdgeId edgeId(const std::string& piece, const std::string& name) {
+    return EdgeId{piece + "." + name};
+}
+VertexId vertexId(const std::string& piece, const std::string& name) {
+    return VertexId{piece + "." + name};
+}
 
 Stroke line(std::string vertex, std::string edge, Vec2 from, Vec2 to) {
     return {std::move(vertex), std::move(edge), {from, to, geometry::LineShape{}}};

@@ -36,7 +36,8 @@ Torso draftTorso(const body::Measurements& m, const body::Body& body, const Fabr
 }
 
 double necklineLength(const Torso& torso) {
-    return 2 * (edgeLength(torso.front, edgeId("front", "neckline-left")) + edgeLength(torso.back, edgeId("back", "neckline-left")));
+    return 2 * (edgeLength(torso.front, edgeId("front", "neckline-left")) +
+                edgeLength(torso.back, edgeId("back", "neckline-left")));
 }
 
 /// x = 0 at the centre front, the wearer's left on +x, closed behind; a ring round the neck to begin with.
@@ -46,14 +47,15 @@ Piece draftNeckband(const Fabric& fabric, const body::Body& body, double length,
     const double bottom = body.landmarks.neckLeft.y + 0.04;
     const Ring ring = ringRound(body, bottom, bottom + s.bandWidth, 0.008);
     const double radius = std::max(ring.radius, length / (2 * std::numbers::pi * 0.97));
-    band.placement = Placement{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, bottom, ring.centre.z + radius}}, Curl{{0, 1}, radius}};
+    band.placement =
+        Placement{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, bottom, ring.centre.z + radius}}, Curl{{0, 1}, radius}};
     return band;
 }
 
 /// From the centre back over the right shoulder, the front and the left shoulder to the centre back again.
 std::vector<Side> wholeNeckline(const Torso& torso) {
-    return {against(torso.back, "neckline-right"), against(torso.front, "neckline-right"), against(torso.front, "neckline-left"),
-            against(torso.back, "neckline-left")};
+    return {against(torso.back, "neckline-right"), against(torso.front, "neckline-right"),
+            against(torso.front, "neckline-left"), against(torso.back, "neckline-left")};
 }
 
 } // namespace
@@ -64,8 +66,11 @@ document::Document tShirt(const body::Measurements& m, const body::Body& body, c
     const NotchDistances at;
     const Armholes armholes{edgeLength(torso.front, edgeId("front", "armhole-left")),
                             edgeLength(torso.back, edgeId("back", "armhole-left")), at.front, at.back};
-    const SleeveSettings settings{.width = m.biceps + s.bicepsEase, .bottom = s.sleeveBottom, .underarmLength = s.sleeveLength,
-                                  .frontEase = s.frontCapEase, .backEase = s.backCapEase};
+    const SleeveSettings settings{.width = m.biceps + s.bicepsEase,
+                                  .bottom = s.sleeveBottom,
+                                  .underarmLength = s.sleeveLength,
+                                  .frontEase = s.frontCapEase,
+                                  .backEase = s.backCapEase};
     SleevePiece sleeve = draftSleevePiece(jersey, s.spacing, armholes, settings);
     placeSleeve(sleeve, body);
     const Piece right = mirrorPiece("sleeve-right", "Sleeve right", sleeve.piece);

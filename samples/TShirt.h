@@ -10,14 +10,21 @@ namespace toile::samples {
 /// A T-shirt of jersey with short sleeves and a neckband of rib. Lengths [m].
 struct TShirtSettings {
     double spacing = 0.02; ///< ε_m of every piece but the band, which has half
-    UpperBlockSettings block{.bustEase = 0.06, .hipEase = 0.04, .acrossBackEase = 0.015, .acrossFrontEase = 0.045,
-                             .neckGap = 0.018, .napeGap = 0.012, .waistSuppression = 0.010, .armholeDepth = 0.205, .dartIntake = 0};
+    UpperBlockSettings block{.bustEase = 0.06,
+                             .hipEase = 0.04,
+                             .acrossBackEase = 0.015,
+                             .acrossFrontEase = 0.045,
+                             .neckGap = 0.018,
+                             .napeGap = 0.012,
+                             .waistSuppression = 0.010,
+                             .armholeDepth = 0.205,
+                             .dartIntake = 0};
     double bicepsEase = 0.10;
-    double sleeveLength = 0.12;   ///< of its seam
-    double sleeveBottom = 0.34;   ///< of its hem
+    double sleeveLength = 0.12; ///< of its seam
+    double sleeveBottom = 0.34; ///< of its hem
     double frontCapEase = 0.001, backCapEase = 0.002;
     double bandWidth = 0.020;
-    double bandRatio = 0.85;      ///< length of the band / length of the neckline [–]
+    double bandRatio = 0.85; ///< length of the band / length of the neckline [–]
 };
 
 /// Pieces: front, back, sleeve-left, sleeve-right, neckband.

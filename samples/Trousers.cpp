@@ -16,10 +16,10 @@ using namespace pattern;
 
 /// One leg's front or back, its crease at x = 0, the side seam on +x, y = 0 at the waist.
 struct LegPanel {
-    double hip = 0;       ///< centre seam to side seam at the hip
-    double extension = 0; ///< from the centre seam inward to the crotch point
+    double hip = 0;           ///< centre seam to side seam at the hip
+    double extension = 0;     ///< from the centre seam inward to the crotch point
     double knee = 0, hem = 0; ///< half widths
-    double legIn = 0;     ///< middle of knee and hem from the crease to the inside, where the body's leg is
+    double legIn = 0;         ///< middle of knee and hem from the crease to the inside, where the body's leg is
     double dart = 0, dartLength = 0;
     double centreIn = 0, centreRise = 0; ///< of the centre seam's top
     double sideIn = 0, sideRise = 0;     ///< of the side seam's top
@@ -42,7 +42,8 @@ std::vector<Stroke> draft(const LegPanel& p, const Heights& y) {
     const double angle = std::asin(p.dart / 2 / p.dartLength);
     const Vec2 legSide = geometry::rotated({0, 1}, -angle), legCentre = geometry::rotated({0, 1}, angle);
     const Vec2 mouthSide = dartTip + p.dartLength * legSide, mouthCentre = dartTip + p.dartLength * legCentre;
-    const Vec2 down = normalized(centreHip - centreTop), up = geometry::rotated(normalized(sideTop - hip), -p.sideCurve);
+    const Vec2 down = normalized(centreHip - centreTop),
+               up = geometry::rotated(normalized(sideTop - hip), -p.sideCurve);
     const double quarter = 0.3 * distance(sideTop, mouthSide), rise = 0.35 * (sideTop.y - hip.y);
     const double crotchHeight = centreHip.y - tip.y, inner = 0.45 * (tip.y - y.knee);
     return {
@@ -50,10 +51,12 @@ std::vector<Stroke> draft(const LegPanel& p, const Heights& y) {
         cubic("hem-side", "side-low", hemOut, {0, shin}, {0, -shin}, kneeOut),
         cubic("knee-side", "side-thigh", kneeOut, {0, thigh}, {0, -thigh}, hip),
         cubic("hip-side", "side-hip", hip, {0, rise}, -rise * up, sideTop),
-        cubic("waist-side", "waist-side", sideTop, quarter * geometry::leftOf(up), -quarter * geometry::leftOf(legSide), mouthSide),
+        cubic("waist-side", "waist-side", sideTop, quarter * geometry::leftOf(up), -quarter * geometry::leftOf(legSide),
+              mouthSide),
         line("dart-side", "dart-side", mouthSide, dartTip),
         line("dart-tip", "dart-centre", dartTip, mouthCentre),
-        cubic("dart-centre", "waist-centre", mouthCentre, quarter * geometry::leftOf(legCentre), quarter * geometry::leftOf(down), centreTop),
+        cubic("dart-centre", "waist-centre", mouthCentre, quarter * geometry::leftOf(legCentre),
+              quarter * geometry::leftOf(down), centreTop),
         line("waist-centre", "centre", centreTop, centreHip),
         cubic("hip-centre", "crotch", centreHip, 0.6 * crotchHeight * down, {0.75 * p.extension, 0}, tip),
         cubic("crotch-point", "inseam-thigh", tip, {0, -inner}, {0, inner}, kneeIn),
@@ -91,15 +94,30 @@ Heights heightsOf(const body::Measurements& m, const body::Landmarks& at, const 
 Legs draftLegs(const body::Measurements& m, const body::Landmarks& at, const TrousersSettings& s) {
     const Heights y = heightsOf(m, at, s);
     const double quarter = (m.hip + s.hipEase) / 4, thighY = trouserLevels(m, at, s).thigh;
-    LegPanel front{.hip = quarter - 0.010, .knee = s.kneeGirth / 4 - 0.005, .hem = s.hemGirth / 4 - 0.005, .legIn = 0.005,
-                   .dart = s.frontDart, .dartLength = 0.09, .centreIn = 0.008, .sideCurve = s.sideCurve};
-    LegPanel back{.hip = quarter + 0.010, .knee = s.kneeGirth / 4 + 0.005, .hem = s.hemGirth / 4 + 0.005, .legIn = 0.025,
-                  .dart = s.backDart, .dartLength = 0.11, .centreIn = 0.030, .centreRise = 0.022, .sideCurve = s.sideCurve};
+    LegPanel front{.hip = quarter - 0.010,
+                   .knee = s.kneeGirth / 4 - 0.005,
+                   .hem = s.hemGirth / 4 - 0.005,
+                   .legIn = 0.005,
+                   .dart = s.frontDart,
+                   .dartLength = 0.09,
+                   .centreIn = 0.008,
+                   .sideCurve = s.sideCurve};
+    LegPanel back{.hip = quarter + 0.010,
+                  .knee = s.kneeGirth / 4 + 0.005,
+                  .hem = s.hemGirth / 4 + 0.005,
+                  .legIn = 0.025,
+                  .dart = s.backDart,
+                  .dartLength = 0.11,
+                  .centreIn = 0.030,
+                  .centreRise = 0.022,
+                  .sideCurve = s.sideCurve};
     const auto solve = [](double& free, double low, double high, const auto& error) {
-        free = rootOf([&](double value) {
-            free = value;
-            return error();
-        }, low, high);
+        free = rootOf(
+            [&](double value) {
+                free = value;
+                return error();
+            },
+            low, high);
     };
     double extension = 0;
     for (int round = 0; round < 5; ++round) {
@@ -111,12 +129,14 @@ Legs draftLegs(const body::Measurements& m, const body::Landmarks& at, const Tro
         front.extension = 0.35 * extension;
         back.extension = 0.65 * extension;
         solve(back.crotchDrop, -0.02, 0.06, [&] {
-            return lengthOf(draft(front, y), {"inseam-thigh", "inseam-low"}) - lengthOf(draft(back, y), {"inseam-thigh", "inseam-low"});
+            return lengthOf(draft(front, y), {"inseam-thigh", "inseam-low"}) -
+                   lengthOf(draft(back, y), {"inseam-thigh", "inseam-low"});
         });
         double sideIn = 0;
         solve(sideIn, -0.02, 0.07, [&] {
             front.sideIn = back.sideIn = sideIn;
-            return 2 * (lengthOf(draft(front, y), {"waist-side", "waist-centre"}) + lengthOf(draft(back, y), {"waist-side", "waist-centre"})) -
+            return 2 * (lengthOf(draft(front, y), {"waist-side", "waist-centre"}) +
+                        lengthOf(draft(back, y), {"waist-side", "waist-centre"})) -
                    (m.waist + s.waistEase);
         });
         front.sideIn = back.sideIn = sideIn;
@@ -132,8 +152,9 @@ Legs draftLegs(const body::Measurements& m, const body::Landmarks& at, const Tro
 Placement placedLeg(const Piece& piece, const body::Body& body, bool behind, double half) {
     constexpr double radius = 0.35, besideMiddle = 0.006;
     const double crease = radius * std::sin(half / radius) + besideMiddle;
-    return placedPanel(piece, body, {.behind = behind, .height = body.landmarks.waist.y, .radius = radius,
-                                     .aside = behind ? -crease : crease});
+    return placedPanel(
+        piece, body,
+        {.behind = behind, .height = body.landmarks.waist.y, .radius = radius, .aside = behind ? -crease : crease});
 }
 
 std::vector<Seam> sewLeg(const std::string& side, const Piece& front, const Piece& back) {
@@ -145,8 +166,10 @@ std::vector<Seam> sewLeg(const std::string& side, const Piece& front, const Piec
     return {
         seam("front dart " + side, {along(front, "dart-side")}, {against(front, "dart-centre")}),
         seam("back dart " + side, {along(back, "dart-side")}, {against(back, "dart-centre")}),
-        seam("side " + side, whole(front, {"side-low", "side-thigh", "side-hip"}), whole(back, {"side-low", "side-thigh", "side-hip"})),
-        seam("inseam " + side, whole(front, {"inseam-thigh", "inseam-low"}), whole(back, {"inseam-thigh", "inseam-low"})),
+        seam("side " + side, whole(front, {"side-low", "side-thigh", "side-hip"}),
+             whole(back, {"side-low", "side-thigh", "side-hip"})),
+        seam("inseam " + side, whole(front, {"inseam-thigh", "inseam-low"}),
+             whole(back, {"inseam-thigh", "inseam-low"})),
     };
 }
 
@@ -156,7 +179,8 @@ Seam crotchSeam(const std::string& name, const Piece& left, const Piece& right) 
 
 /// From one centre over the side to the other.
 std::vector<Side> waistEdge(const Piece& first, const Piece& second) {
-    return {against(first, "waist-centre"), against(first, "waist-side"), along(second, "waist-side"), along(second, "waist-centre")};
+    return {against(first, "waist-centre"), against(first, "waist-side"), along(second, "waist-side"),
+            along(second, "waist-centre")};
 }
 
 } // namespace
@@ -176,7 +200,8 @@ document::Document trousers(const body::Measurements& m, const body::Body& body,
     backRight.placement = placedLeg(backRight, body, true, legs.backHalf);
     const Piece frontRight = mirrorPiece("front-right", "Front right", frontLeft);
     const Piece backLeft = mirrorPiece("back-left", "Back left", backRight);
-    const Piece band = draftWaistband(stiff, body, {m.waist + s.waistEase, s.waistbandWidth, s.spacing}, s.waistbandWidth / 2);
+    const Piece band =
+        draftWaistband(stiff, body, {m.waist + s.waistEase, s.waistbandWidth, s.spacing}, s.waistbandWidth / 2);
 
     document::Document document;
     document.pattern.fabrics = {fabric, stiff};

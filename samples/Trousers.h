@@ -8,13 +8,13 @@ namespace toile::samples {
 
 /// Straight long trousers of twill on a waistband; a dart in each front and each back. Lengths [m].
 struct TrousersSettings {
-    double spacing = 0.02;     ///< ε_m
+    double spacing = 0.02; ///< ε_m
     double waistEase = 0.01, hipEase = 0.045, thighEase = 0.055;
     double kneeGirth = 0.46, hemGirth = 0.42;
-    double crotchEase = 0.030; ///< crotch lower than the body's
+    double crotchEase = 0.030;    ///< crotch lower than the body's
     double ankleClearance = 0.12; ///< hem above the floor
     double frontDart = 0.015, backDart = 0.030;
-    double sideCurve = 0.05;   ///< the sides arrive at the waist so much steeper than straight from the hip [rad]
+    double sideCurve = 0.05; ///< the sides arrive at the waist so much steeper than straight from the hip [rad]
     double waistbandWidth = 0.035;
     double skinOffset = 0.002; ///< a fitted waistband lies closer to the skin than a blouse
     double damping = 2;        ///< a crease over the seat trembles for long with less [1/s]

@@ -17,15 +17,17 @@ struct SideShape {
 
 /// What differs between front and back.
 struct Half {
-    double underarmX = 0;   ///< of the side seam with its dart closed
+    double underarmX = 0; ///< of the side seam with its dart closed
     double waistY = 0;
     double neckY = 0, neckHandle = 0; ///< of the neckline's middle; share of its depth
-    double across = 0;      ///< half the width at half the armhole's height
-    double dartAngle = 0;   ///< [rad]
+    double across = 0;                ///< half the width at half the armhole's height
+    double dartAngle = 0;             ///< [rad]
     Vec2 dartTip;
 };
 
-Vec2 turned(Vec2 p, Vec2 about, double angle) { return about + rotated(p - about, angle); }
+Vec2 turned(Vec2 p, Vec2 about, double angle) {
+    return about + rotated(p - about, angle);
+}
 
 /// Everything both halves need.
 struct Frame {
@@ -67,7 +69,8 @@ std::vector<Stroke> draftHalf(const Frame& frame, const Half& half) {
     std::vector<Stroke> strokes{
         line("hem-centre", "hem", {0, hem.y}, hem),
         cubic("hem-side", "side-hip", hem, {0, 0.35 * below}, {0, -0.35 * below}, waist),
-        cubic("waist-side", "side-waist", waist, {0, above / 3}, frame.side.high * (above / 3 / -frame.side.high.y), high),
+        cubic("waist-side", "side-waist", waist, {0, above / 3}, frame.side.high * (above / 3 / -frame.side.high.y),
+              high),
     };
     const Vec2 openHigh = turned(high, half.dartTip, half.dartAngle);
     const Vec2 underarm = turned(closedUnderarm, half.dartTip, half.dartAngle);
@@ -110,16 +113,24 @@ pattern::Contour halfContour(const std::string& piece, std::vector<Stroke> half)
 UpperBlock draftUpperBlock(const body::Measurements& m, const Figures& f, const UpperBlockSettings& s) {
     // The seam lies a little above the shoulder: one degree less slope keeps its tip from pulling.
     const double slope = f.shoulderSlope - 0.02;
-    Frame frame{{f.neckHalfWidth + s.neckGap, -s.neckGap * std::tan(slope)}, f.shoulderLength - s.neckGap / std::cos(slope),
-                slope, {}};
+    Frame frame{{f.neckHalfWidth + s.neckGap, -s.neckGap * std::tan(slope)},
+                f.shoulderLength - s.neckGap / std::cos(slope),
+                slope,
+                {}};
     const double backUnderarm = -(f.backNeckDepth + s.armholeDepth);
     const double sideTop = f.backWaist + backUnderarm;
-    frame.side = {{-0.1 * s.sideDartAt, -s.sideDartAt}, {-s.waistSuppression, -sideTop},
+    frame.side = {{-0.1 * s.sideDartAt, -s.sideDartAt},
+                  {-s.waistSuppression, -sideTop},
                   {0, -(sideTop + f.waistToHip + s.hemBelowHip)}};
 
-    Half back{.waistY = -f.backWaist, .neckY = -(f.backNeckDepth + s.napeGap), .neckHandle = 0.5,
+    Half back{.waistY = -f.backWaist,
+              .neckY = -(f.backNeckDepth + s.napeGap),
+              .neckHandle = 0.5,
               .across = (f.acrossBack + s.acrossBackEase) / 2};
-    Half front{.waistY = -f.frontWaist, .neckY = -(f.frontNeckDepth + s.neckGap), .neckHandle = 0.6, .across = (f.acrossFront + s.acrossFrontEase) / 2};
+    Half front{.waistY = -f.frontWaist,
+               .neckY = -(f.frontNeckDepth + s.neckGap),
+               .neckHandle = 0.6,
+               .across = (f.acrossFront + s.acrossFrontEase) / 2};
 
     const double bustAside = f.bustHalfDistance - f.neckHalfWidth;
     const double bustY = -std::sqrt(f.bustHeight * f.bustHeight - bustAside * bustAside);
@@ -127,25 +138,32 @@ UpperBlock draftUpperBlock(const body::Measurements& m, const Figures& f, const 
 
     const double quarter = (m.bust + s.bustEase) / 4;
     const auto bustWidth = [&](const Half& half, double y) { return halfWidth(draftHalf(frame, half), y); };
-    front = withUnderarm(front, frame, s.dartIntake, rootOf([&](double x) {
-        return bustWidth(withUnderarm(front, frame, s.dartIntake, x), bustY) - (quarter + s.frontMore);
-    }, quarter - 0.008, quarter + 0.05));
+    front = withUnderarm(front, frame, s.dartIntake,
+                         rootOf(
+                             [&](double x) {
+                                 return bustWidth(withUnderarm(front, frame, s.dartIntake, x), bustY) -
+                                        (quarter + s.frontMore);
+                             },
+                             quarter - 0.008, quarter + 0.05));
 
     UpperLevels levels;
     levels.bustFront = bustY;
     levels.bustBack = backUnderarm - (underarmOf(draftHalf(frame, front)).y - bustY);
-    back.underarmX = rootOf([&](double x) {
-        return bustWidth(withUnderarm(back, frame, 0, x), levels.bustBack) - (quarter - s.frontMore);
-    }, quarter - 0.008, quarter + 0.05);
+    back.underarmX = rootOf(
+        [&](double x) { return bustWidth(withUnderarm(back, frame, 0, x), levels.bustBack) - (quarter - s.frontMore); },
+        quarter - 0.008, quarter + 0.05);
 
     levels.hipFront = front.waistY - f.waistToHip;
     levels.hipBack = back.waistY - f.waistToHip;
-    frame.side.hem.x = rootOf([&](double x) {
-        Frame trial = frame;
-        trial.side.hem.x = x;
-        return 2 * (halfWidth(draftHalf(trial, front), levels.hipFront) + halfWidth(draftHalf(trial, back), levels.hipBack)) -
-               (m.hip + s.hipEase);
-    }, -0.1, 0.1);
+    frame.side.hem.x = rootOf(
+        [&](double x) {
+            Frame trial = frame;
+            trial.side.hem.x = x;
+            return 2 * (halfWidth(draftHalf(trial, front), levels.hipFront) +
+                        halfWidth(draftHalf(trial, back), levels.hipBack)) -
+                   (m.hip + s.hipEase);
+        },
+        -0.1, 0.1);
 
     levels.acrossFront = (underarmOf(draftHalf(frame, front)).y + frame.shoulderTip().y) / 2;
     levels.acrossBack = (backUnderarm + frame.shoulderTip().y) / 2;

@@ -19,9 +19,9 @@ struct UpperBlockSettings {
     double frontMore = -0.004;       ///< half front wider than half back by twice this
     double armholeDepth = 0.20;      ///< nape to underarm
     double hemBelowHip = 0.01;
-    double sideDartAt = 0.075;       ///< below the underarm, measured along the side
-    double dartTipDistance = 0.025;  ///< from the bust point
-    double dartIntake = 0.024;       ///< between the legs at the side; 0 = no dart
+    double sideDartAt = 0.075;      ///< below the underarm, measured along the side
+    double dartTipDistance = 0.025; ///< from the bust point
+    double dartIntake = 0.024;      ///< between the legs at the side; 0 = no dart
 };
 
 /// Heights in the pieces' coordinates at which widths are measured [m].

@@ -30,7 +30,8 @@ Notch armholeNotch(const Piece& piece, const std::string& edge, double fromUnder
     return {id, runsUp ? fraction : 1 - fraction, NotchKind::slit, isBack};
 }
 
-SleevePiece draftSleevePiece(const Fabric& fabric, double spacing, const Armholes& armholes, const SleeveSettings& settings) {
+SleevePiece draftSleevePiece(const Fabric& fabric, double spacing, const Armholes& armholes,
+                             const SleeveSettings& settings) {
     SleevePiece sleeve{pieceNamed("sleeve-left", "Sleeve left", fabric, spacing), draftSleeve(armholes, settings)};
     sleeve.piece.outline = contourOf("sleeve-left", sleeve.draft.strokes);
     sleeve.piece.notches = {{edgeId("sleeve-left", "cap-back"), sleeve.draft.backNotch, NotchKind::slit, true},
@@ -41,7 +42,8 @@ SleevePiece draftSleevePiece(const Fabric& fabric, double spacing, const Armhole
 double placeSleeve(SleevePiece& sleeve, const body::Body& body) {
     const LimbLine line = armLine(body, true);
     const double cap = sleeve.draft.capHeight, furthest = cap + 0.1;
-    const double closing = sleeve.draft.capWidth / (2 * std::numbers::pi * 0.94); // the seam's edges nearly meet beneath the arm
+    const double closing =
+        sleeve.draft.capWidth / (2 * std::numbers::pi * 0.94); // the seam's edges nearly meet beneath the arm
     double biceps = cap, bottom = 0;
     do { // down the arm until the cap is clear of the shoulder
         biceps += 0.005;

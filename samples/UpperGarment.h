@@ -43,10 +43,12 @@ struct SleevePiece {
 double placeSleeve(SleevePiece& sleeve, const body::Body& body);
 
 /// Shoulder and side seam of one side.
-[[nodiscard]] std::vector<pattern::Seam> sewSide(const std::string& side, const HalfEdges& front, const HalfEdges& back);
+[[nodiscard]] std::vector<pattern::Seam> sewSide(const std::string& side, const HalfEdges& front,
+                                                 const HalfEdges& back);
 
 /// The sleeve into its armhole, and its own seam.
-[[nodiscard]] std::vector<pattern::Seam> sewSleeve(const std::string& side, const pattern::Piece& sleeve, const HalfEdges& front,
-                                                   const HalfEdges& back, const SleeveSettings& settings);
+[[nodiscard]] std::vector<pattern::Seam> sewSleeve(const std::string& side, const pattern::Piece& sleeve,
+                                                   const HalfEdges& front, const HalfEdges& back,
+                                                   const SleeveSettings& settings);
 
 } // namespace toile::samples

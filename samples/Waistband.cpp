@@ -43,16 +43,17 @@ Piece draftWaistband(const Fabric& fabric, const body::Body& body, const Waistba
     Piece band = pieceNamed("waistband", "Waistband", fabric, s.spacing);
     const double half = s.length / 2;
     const Vec2 lowRight{-half, 0}, centre{0, 0}, lowLeft{half, 0}, highLeft{half, s.width}, highRight{-half, s.width};
-    band.outline = contourOf("waistband", {line("low-right", "bottom-right", lowRight, centre),
-                                           line("centre", "bottom-left", centre, lowLeft),
-                                           line("low-left", "end-left", lowLeft, highLeft),
-                                           line("high-left", "top", highLeft, highRight),
-                                           line("high-right", "end-right", highRight, lowRight)});
+    band.outline =
+        contourOf("waistband",
+                  {line("low-right", "bottom-right", lowRight, centre), line("centre", "bottom-left", centre, lowLeft),
+                   line("low-left", "end-left", lowLeft, highLeft), line("high-left", "top", highLeft, highRight),
+                   line("high-right", "end-right", highRight, lowRight)});
     band.grain = std::numbers::pi / 2; // warp runs round the waist
     const double bottom = body.landmarks.waist.y - lowered;
     const Ring ring = ringRound(body, bottom, bottom + s.width, 0.008);
     const double radius = std::max(ring.radius, half / (0.97 * std::numbers::pi));
-    band.placement = Placement{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, bottom, ring.centre.z + radius}}, Curl{{0, 1}, radius}};
+    band.placement =
+        Placement{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, bottom, ring.centre.z + radius}}, Curl{{0, 1}, radius}};
     return band;
 }
 

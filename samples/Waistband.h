@@ -12,8 +12,8 @@ struct WaistbandSettings {
     double spacing = 0.02; ///< ε_m [m]
 };
 
-/// Substeps of a frame step with which a ring of interlined cloth carries a garment that hangs on nothing else: fewer let
-/// it stretch and slip, at a spacing of 20 mm by 25 mm with 90 and by 10 mm with these.
+/// Substeps of a frame step with which a ring of interlined cloth carries a garment that hangs on nothing else: fewer
+/// let it stretch and slip, at a spacing of 20 mm by 25 mm with 90 and by 10 mm with these.
 inline constexpr int waistbandSubsteps = 250;
 
 /// A fabric with a fusible interlining: what keeps a waistband's length and lets it stay at the waist.

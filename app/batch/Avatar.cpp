@@ -18,7 +18,8 @@ int avatar(const AvatarOptions& options) {
         printError(mannequin.error());
         return inputWrong;
     }
-    fmt::print("{} vertices, {} triangles\n", mannequin->body.mesh.vertices.size(), mannequin->body.mesh.triangles.size());
+    fmt::print("{} vertices, {} triangles\n", mannequin->body.mesh.vertices.size(),
+               mannequin->body.mesh.triangles.size());
     fmt::print("{:<12}{:>10}{:>10}{:>10}{:>10}\n", "girth [mm]", "asked", "tape", "section", "level");
     for (const body::Girth& girth : mannequin->girths)
         fmt::print("{:<12}{:>10.1f}{:>10.1f}{:>10.1f}{:>10.0f}\n", girth.name, 1000 * girth.asked, 1000 * girth.hull,

@@ -20,9 +20,9 @@ struct MeshOptions {
     std::string file;
     std::optional<double> spacing; ///< [m]
     std::optional<pattern::LineRule> rule;
-    std::string piece;             ///< only this one; empty = all
-    bool regions = true;           ///< false = the main mesh alone
-    int repeat = 1;                ///< runs whose median time is reported
+    std::string piece;   ///< only this one; empty = all
+    bool regions = true; ///< false = the main mesh alone
+    int repeat = 1;      ///< runs whose median time is reported
     std::string out, report;
 };
 [[nodiscard]] int mesh(const MeshOptions& options);
@@ -40,7 +40,7 @@ struct SewOptions {
     bool strict = false;           ///< refuses a start that overlaps the body or itself
     int threads = 1;               ///< asked for; this version computes on one
     std::string out, report;
-    std::string frames;            ///< folder or .pc2 for every frame step; empty = none
+    std::string frames; ///< folder or .pc2 for every frame step; empty = none
     std::vector<std::string> pictures;
     bool quiet = false;
 };

@@ -19,7 +19,9 @@ std::string timeLeft(double seconds, double fraction) {
 
 } // namespace
 
-void printError(const Error& error) { fmt::print(stderr, "{}\n", toString(error)); }
+void printError(const Error& error) {
+    fmt::print(stderr, "{}\n", toString(error));
+}
 
 ProgressBar::ProgressBar(bool quiet)
     : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()), last_(start_) {}
@@ -41,8 +43,8 @@ void ProgressBar::show(double fraction, const std::string& what) {
     shown_ = true;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const int full = std::clamp(static_cast<int>(fraction * barWidth), 0, barWidth);
-    const std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %{}  {}", "", full, "", barWidth - full, 100 * fraction,
-                                         timeLeft(elapsed, fraction), what);
+    const std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %{}  {}", "", full, "", barWidth - full,
+                                         100 * fraction, timeLeft(elapsed, fraction), what);
     if (terminal_) fmt::print(stderr, "\r{}\x1b[K", line);
     else fmt::print(stderr, "{}\n", line);
     std::fflush(stderr);

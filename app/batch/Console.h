@@ -12,9 +12,9 @@ namespace toile::batch {
 /// Exit statuses that scripts rely on.
 enum ExitStatus {
     done = 0,
-    inputWrong = 1,  ///< the input is wrong or the work impossible; a sentence on stderr says so
+    inputWrong = 1, ///< the input is wrong or the work impossible; a sentence on stderr says so
     usageWrong = 2,
-    goalMissed = 3,  ///< it ran, but a seam stayed open or the cloth did not come to rest
+    goalMissed = 3, ///< it ran, but a seam stayed open or the cloth did not come to rest
 };
 
 /// Prints "FILE: place: sentence" on stderr.

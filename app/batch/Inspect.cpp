@@ -24,7 +24,9 @@ Json pieceJson(const pattern::Pattern& pattern, const pattern::Piece& authored) 
     const pattern::Piece piece = pattern::resolved(pattern, authored);
     const geometry::Box2 box = geometry::boundsOf(pattern::flattened(piece.outline, 1e-4));
     Json json;
-    json.set("id", piece.id.value).set("name", piece.name).set("mirrorOf", piece.mirror ? Json(piece.mirror->source.value) : Json());
+    json.set("id", piece.id.value)
+        .set("name", piece.name)
+        .set("mirrorOf", piece.mirror ? Json(piece.mirror->source.value) : Json());
     json.set("fabric", piece.fabric.value).set("spacing", piece.spacing).set("area", pattern::areaOf(piece));
     json.set("width", box.high.x - box.low.x).set("height", box.high.y - box.low.y);
     json.set("edges", piece.outline.edges.size()).set("holes", piece.holes.size()).set("regions", piece.regions.size());
@@ -43,7 +45,8 @@ Json seamJson(const pattern::Pattern& pattern, const pattern::Seam& seam) {
 Json fabricJson(const material::Fabric& fabric) {
     Json json;
     json.set("id", fabric.id.value).set("name", fabric.name);
-    json.set("kind", fabric.kind == material::FabricKind::knit ? "knit" : "woven").set("arealDensity", fabric.arealDensity);
+    json.set("kind", fabric.kind == material::FabricKind::knit ? "knit" : "woven")
+        .set("arealDensity", fabric.arealDensity);
     json.set("warpStiffness", fabric.warpStiffness).set("weftStiffness", fabric.weftStiffness);
     json.set("shearStiffness", fabric.shearStiffness).set("bendingLength", material::bendingLength(fabric));
     return json.set("source", fabric.source);
@@ -76,7 +79,8 @@ void printRows(const char* title, const Json& rows) {
         for (const auto& [key, value] : *row.asObject()) {
             if (key == "id" || value.isNull()) continue;
             if (const double* number = value.asNumber()) line += fmt::format(" {} {:.4g}", key, *number);
-            else if (const std::string* text = value.asString()) line += key == "name" ? " " + *text + ":" : " " + key + " " + *text;
+            else if (const std::string* text = value.asString())
+                line += key == "name" ? " " + *text + ":" : " " + key + " " + *text;
             else if (value.asBool() && !*value.asBool()) line += " not " + key;
         }
         fmt::print("{}\n", line);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
-#include "app/batch/MeshJson.h"
 #include "app/batch/MeshExport.h"
+#include "app/batch/MeshJson.h"
 #include "app/batch/Outputs.h"
-#include "core/io/DocumentFile.h"
 #include "core/base/AtomicFile.h"
+#include "core/io/DocumentFile.h"
 #include "core/simulation/MeshInputOf.h"
 
 #include <algorithm>
@@ -16,9 +16,8 @@ namespace {
 
 /// The pattern with one piece only, without seams to others.
 Result<pattern::Pattern> onlyPiece(const pattern::Pattern& pattern, const std::string& name) {
-    const auto found = std::ranges::find_if(pattern.pieces, [&](const auto& piece) {
-        return piece->id.value == name || piece->name == name;
-    });
+    const auto found = std::ranges::find_if(
+        pattern.pieces, [&](const auto& piece) { return piece->id.value == name || piece->name == name; });
     if (found == pattern.pieces.end()) return fail(ErrorCode::notFound, fmt::format("There is no piece \"{}\".", name));
     pattern::Pattern alone = pattern;
     pattern::Piece piece = pattern::resolved(pattern, **found);
@@ -55,11 +54,11 @@ Result<meshing::GarmentMesh> meshRepeatedly(const meshing::MeshInput& input, int
 }
 
 void printPieces(const meshing::MeshReport& report) {
-    fmt::print("{:<28}{:>8}{:>8}{:>11}{:>8}{:>9}{:>7}{:>7}{:>7}{:>7}{:>9}\n", "piece", "nodes", "quads", "triangles", "rect %",
-               "grain %", "angle", "1 %", "5 %", "95 %", "ms");
+    fmt::print("{:<28}{:>8}{:>8}{:>11}{:>8}{:>9}{:>7}{:>7}{:>7}{:>7}{:>9}\n", "piece", "nodes", "quads", "triangles",
+               "rect %", "grain %", "angle", "1 %", "5 %", "95 %", "ms");
     const auto row = [](const std::string& name, const meshing::PieceReport& piece) {
-        fmt::print("{:<28}{:>8}{:>8}{:>11}{:>8.1f}{:>9.1f}{:>7.1f}{:>7}{:>7}{:>7}{:>9.2f}\n", name, piece.nodes, piece.quads,
-                   piece.triangles, 100 * piece.rectangleFraction, 100 * piece.grainAlignment,
+        fmt::print("{:<28}{:>8}{:>8}{:>11}{:>8.1f}{:>9.1f}{:>7.1f}{:>7}{:>7}{:>7}{:>9.2f}\n", name, piece.nodes,
+                   piece.quads, piece.triangles, 100 * piece.rectangleFraction, 100 * piece.grainAlignment,
                    piece.minimumAngle * 57.29577951308232, meshing::angleBelow(piece, 0.01),
                    meshing::angleBelow(piece, 0.05), meshing::angleBelow(piece, 0.95), 1000 * piece.seconds);
     };
@@ -73,7 +72,8 @@ void printSeams(const meshing::MeshReport& report) {
     fmt::print("\n{:<28}{:>9}{:>19}{:>9}{:>9}   {}\n", "seam", "points", "lengths mm", "ease mm", "unit %", "alike");
     for (const meshing::SeamReport& seam : report.seams) {
         const meshing::SewnAlike alike = meshing::sewnAlike(seam);
-        fmt::print("{:<28}{:>9}{:>19}{:>9.1f}{:>9.2f}   {}{}{}\n", seam.label, fmt::format("{}={}", seam.countA, seam.countB),
+        fmt::print("{:<28}{:>9}{:>19}{:>9.1f}{:>9.2f}   {}{}{}\n", seam.label,
+                   fmt::format("{}={}", seam.countA, seam.countB),
                    fmt::format("{:.1f}/{:.1f}", 1e3 * seam.lengthA, 1e3 * seam.lengthB), 1e3 * seam.ease,
                    100 * seam.largestSpacingMismatch, alike.length ? "length " : "", alike.count ? "count " : "",
                    alike.unit ? "unit" : "");

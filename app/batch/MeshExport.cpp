@@ -39,7 +39,8 @@ std::string objText(const pattern::Pattern& pattern, const meshing::GarmentMesh&
     std::size_t first = 1;
     for (std::size_t i = 0; i < mesh.pieces.size(); ++i) {
         text += fmt::format("g {}\n", pattern.pieces[i]->id.value);
-        for (const Vec2 node : mesh.pieces[i].nodes) text += fmt::format("v {} {} 0\n", node.x + offsets[i].x, node.y + offsets[i].y);
+        for (const Vec2 node : mesh.pieces[i].nodes)
+            text += fmt::format("v {} {} 0\n", node.x + offsets[i].x, node.y + offsets[i].y);
         for (const std::vector<int>& cell : cellsOf(mesh.pieces[i])) {
             text += "f";
             for (const int node : cell) text += fmt::format(" {}", first + static_cast<std::size_t>(node));
@@ -77,12 +78,14 @@ std::string svgText(const pattern::Pattern& pattern, const meshing::GarmentMesh&
     return text + "</g>\n</svg>\n";
 }
 
-Result<void> writePicture(const std::filesystem::path& file, const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh) {
+Result<void> writePicture(const std::filesystem::path& file, const pattern::Pattern& pattern,
+                          const meshing::GarmentMesh& mesh) {
     simulation::Frame frame;
     frame.topology = simulation::topologyOf(pattern, mesh);
     const std::vector<Vec2> offsets = rowOf(mesh);
     for (std::size_t i = 0; i < mesh.pieces.size(); ++i)
-        for (const Vec2 node : mesh.pieces[i].nodes) frame.positions.push_back({node.x + offsets[i].x, node.y + offsets[i].y, 0});
+        for (const Vec2 node : mesh.pieces[i].nodes)
+            frame.positions.push_back({node.x + offsets[i].x, node.y + offsets[i].y, 0});
     picture::RenderScene scene;
     scene.frame = Shared<simulation::Frame>(std::move(frame));
     scene.options.meshLines = scene.options.regions = true;
@@ -94,7 +97,8 @@ Result<void> writePicture(const std::filesystem::path& file, const pattern::Patt
 
 } // namespace
 
-Result<void> writeMesh(const std::filesystem::path& file, const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh) {
+Result<void> writeMesh(const std::filesystem::path& file, const pattern::Pattern& pattern,
+                       const meshing::GarmentMesh& mesh) {
     if (file.extension() == ".obj") return writeFileAtomically(file, objText(pattern, mesh));
     if (file.extension() == ".svg") return writeFileAtomically(file, svgText(pattern, mesh));
     if (file.extension() == ".png") return writePicture(file, pattern, mesh);

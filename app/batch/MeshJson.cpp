@@ -18,12 +18,17 @@ Json regionJson(const meshing::RegionReport& region) {
 Json pieceJson(const meshing::PieceReport& piece) {
     Json json;
     if (!piece.label.empty()) json.set("name", piece.label);
-    json.set("nodes", piece.nodes).set("slaves", piece.slaves).set("quads", piece.quads).set("triangles", piece.triangles);
+    json.set("nodes", piece.nodes)
+        .set("slaves", piece.slaves)
+        .set("quads", piece.quads)
+        .set("triangles", piece.triangles);
     json.set("rectangles", piece.rectangles).set("rectangleFraction", piece.rectangleFraction);
-    json.set("minimumAngleDegrees", piece.minimumAngle * degrees).set("maximumAngleDegrees", piece.maximumAngle * degrees);
+    json.set("minimumAngleDegrees", piece.minimumAngle * degrees)
+        .set("maximumAngleDegrees", piece.maximumAngle * degrees);
     json.set("inputMinimumAngleDegrees", piece.inputMinimumAngle * degrees).set("maximumAspect", piece.maximumAspect);
     Json percentiles;
-    for (const int part : {1, 5, 50, 95, 99}) percentiles.set(fmt::format("p{}", part), meshing::angleBelow(piece, 0.01 * part));
+    for (const int part : {1, 5, 50, 95, 99})
+        percentiles.set(fmt::format("p{}", part), meshing::angleBelow(piece, 0.01 * part));
     json.set("anglePercentilesDegrees", percentiles).set("neighbourSizeRatio", piece.neighbourSizeRatio);
     json.set("grainAlignment", piece.grainAlignment);
     json.set("areaRelativeError", piece.areaRelativeError).set("boundaryDeviation", piece.boundaryDeviation);
@@ -54,7 +59,10 @@ Json toJson(const meshing::MeshReport& report) {
         warnings.push(json.set("place", warning.place).set("text", warning.text));
     }
     Json json;
-    return json.set("pieces", pieces).set("total", pieceJson(report.total)).set("seams", seams).set("warnings", warnings);
+    return json.set("pieces", pieces)
+        .set("total", pieceJson(report.total))
+        .set("seams", seams)
+        .set("warnings", warnings);
 }
 
 } // namespace toile::batch

@@ -15,9 +15,10 @@ struct OpenedScene {
     std::vector<Warning> warnings;
 };
 
-/// The scene of a document on the avatar it names, or on another one: then each piece starts beside the same limb of the
-/// other body. Without an avatar the scene has no body.
-[[nodiscard]] Result<OpenedScene> openScene(const document::Document& document, const std::filesystem::path& documentFile,
+/// The scene of a document on the avatar it names, or on another one: then each piece starts beside the same limb of
+/// the other body. Without an avatar the scene has no body.
+[[nodiscard]] Result<OpenedScene> openScene(const document::Document& document,
+                                            const std::filesystem::path& documentFile,
                                             const std::filesystem::path& otherAvatar = {});
 
 } // namespace toile::batch

@@ -16,10 +16,13 @@ Result<void> checkedOutput(const std::string& file, std::initializer_list<std::s
     if (!std::filesystem::is_directory(folder, unknown))
         return fail(ErrorCode::notFound, fmt::format("There is no folder \"{}\".", folder.string()), {.file = file});
     std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (extensions.size() > 0 && std::ranges::find(extensions, extension) == extensions.end())
-        return fail(ErrorCode::unsupported, fmt::format("This cannot be written as \"{}\", only as {}.", extension,
-                                                        fmt::join(extensions, ", ")), {.file = file});
+        return fail(
+            ErrorCode::unsupported,
+            fmt::format("This cannot be written as \"{}\", only as {}.", extension, fmt::join(extensions, ", ")),
+            {.file = file});
     return {};
 }
 

@@ -14,9 +14,11 @@ constexpr int pictureWidth = 900, pictureHeight = 1200; // [px]
 
 picture::ViewDirection directionOf(const std::string& file) {
     using picture::ViewDirection;
-    static const std::array<std::pair<const char*, ViewDirection>, 5> names{
-        {{"front", ViewDirection::front}, {"back", ViewDirection::back}, {"left", ViewDirection::left},
-         {"right", ViewDirection::right}, {"top", ViewDirection::top}}};
+    static const std::array<std::pair<const char*, ViewDirection>, 5> names{{{"front", ViewDirection::front},
+                                                                             {"back", ViewDirection::back},
+                                                                             {"left", ViewDirection::left},
+                                                                             {"right", ViewDirection::right},
+                                                                             {"top", ViewDirection::top}}};
     const std::string stem = std::filesystem::path(file).stem().string();
     for (const auto& [name, direction] : names)
         if (stem.find(name) != std::string::npos) return direction;

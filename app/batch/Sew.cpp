@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Sew.h"
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
 #include "app/batch/Opening.h"
@@ -11,7 +12,6 @@
 #include "core/io/FrameFiles.h"
 #include "core/simulation/Arrange.h"
 #include "core/simulation/Inspect.h"
-#include "core/simulation/Sew.h"
 
 #include <fmt/format.h>
 
@@ -38,8 +38,8 @@ void applyOptions(OpenedScene& opened, const SewOptions& options) {
     if (options.arrange && scene.body) scene.pattern = simulation::startingClearOf(scene.pattern, **scene.body);
     for (const auto& piece : scene.pattern.pieces)
         if (!piece->placement)
-            opened.warnings.push_back({fmt::format("piece \"{}\"", piece->name),
-                                       "It is not placed, and starts flat in the plane z = 0."});
+            opened.warnings.push_back(
+                {fmt::format("piece \"{}\"", piece->name), "It is not placed, and starts flat in the plane z = 0."});
     if (options.threads > 1) opened.warnings.push_back({"--threads", "This version computes on one thread."});
 }
 
@@ -51,7 +51,8 @@ std::string overlapAtStart(const simulation::Simulation& simulation) {
         overlap = fmt::format("{:.1f} mm inside the body, with {} intersections", 1000 * start.bodyPenetrationMaximum,
                               start.bodyIntersections);
     if (start.selfIntersections > 0)
-        overlap += fmt::format("{}with {} intersections with itself", overlap.empty() ? "" : ", and ", start.selfIntersections);
+        overlap += fmt::format("{}with {} intersections with itself", overlap.empty() ? "" : ", and ",
+                               start.selfIntersections);
     return overlap;
 }
 
@@ -60,8 +61,9 @@ Result<void> judgeStart(OpenedScene& opened, const simulation::Simulation& simul
     const std::string overlap = overlapAtStart(simulation);
     if (overlap.empty()) return {};
     if (options.strict)
-        return fail(ErrorCode::invalidInput, fmt::format("The garment starts {}: place its pieces clear of it, or leave out --strict.",
-                                                         overlap), {.file = options.file});
+        return fail(ErrorCode::invalidInput,
+                    fmt::format("The garment starts {}: place its pieces clear of it, or leave out --strict.", overlap),
+                    {.file = options.file});
     opened.warnings.push_back({"start", fmt::format("The garment starts {}.", overlap)});
     return {};
 }
@@ -101,8 +103,8 @@ void printSummary(const simulation::SewReport& report, const SewOptions& options
     for (const Warning& warning : report.warnings) fmt::print(stderr, "{}: {}\n", warning.place, warning.text);
 }
 
-Result<void> writeResults(const SewOptions& options, const OpenedScene& opened, const simulation::Simulation& simulation,
-                          const simulation::SewReport& report) {
+Result<void> writeResults(const SewOptions& options, const OpenedScene& opened,
+                          const simulation::Simulation& simulation, const simulation::SewReport& report) {
     const simulation::Frame frame = simulation.frame();
     if (!options.out.empty())
         if (auto written = io::writeDrape(options.out, *frame.topology, frame.positions); !written) return written;
@@ -164,7 +166,8 @@ int sew(const SewOptions& options, std::stop_token stop) {
     if (!report) return refuse(report.error());
     report->warnings.insert(report->warnings.begin(), opened->warnings.begin(), opened->warnings.end());
     printSummary(*report, options);
-    if (const auto written = writeResults(options, *opened, *simulation, *report); !written) return refuse(written.error());
+    if (const auto written = writeResults(options, *opened, *simulation, *report); !written)
+        return refuse(written.error());
     return report->reachedItsGoal(settings) ? done : goalMissed;
 }
 

@@ -23,9 +23,10 @@ CLI::Option* addLength(CLI::App& command, const std::string& name, double& metre
 }
 
 void addSpacing(CLI::App& command, std::optional<double>& spacing) {
-    command.add_option_function<double>(
-               "--spacing", [&spacing](const double& value) { spacing = value * millimetre; },
-               "main spacing of every piece [mm]")
+    command
+        .add_option_function<double>(
+            "--spacing", [&spacing](const double& value) { spacing = value * millimetre; },
+            "main spacing of every piece [mm]")
         ->check(CLI::Range(0.1, 1000.0));
 }
 
@@ -44,8 +45,9 @@ void declareMesh(CLI::App& app, std::function<int()>& chosen) {
     const std::map<std::string, pattern::LineRule> rules{{"regular", pattern::LineRule::regular},
                                                          {"features", pattern::LineRule::features},
                                                          {"paper", pattern::LineRule::paper}};
-    command->add_option_function<pattern::LineRule>(
-               "--rule", [options](const pattern::LineRule& rule) { options->rule = rule; }, "how scan lines are chosen")
+    command
+        ->add_option_function<pattern::LineRule>(
+            "--rule", [options](const pattern::LineRule& rule) { options->rule = rule; }, "how scan lines are chosen")
         ->transform(CLI::CheckedTransformer(rules));
     command->add_option("--piece", options->piece, "only the piece of this name or id");
     command->add_flag("!--no-regions", options->regions, "the main mesh alone");
@@ -64,37 +66,51 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     auto* seconds = command->add_option_function<double>(
         "--seconds", [options](const double& value) { options->seconds = value; }, "simulate just so long [s]");
     seconds->check(CLI::Range(0.0, 3600.0));
-    command->add_flag("--until-rest")->description("simulate until the cloth is at rest (the default)")->excludes(seconds);
+    command->add_flag("--until-rest")
+        ->description("simulate until the cloth is at rest (the default)")
+        ->excludes(seconds);
     command->add_option("--limit", options->limit, "give up waiting for rest after so many simulated seconds [s]")
         ->check(CLI::Range(0.1, 3600.0));
-    command->add_option("--hold", options->hold, "a garment without a neck goes on for so long after rest, to see whether it slides [s]")
+    command
+        ->add_option("--hold", options->hold,
+                     "a garment without a neck goes on for so long after rest, to see whether it slides [s]")
         ->check(CLI::Range(0.0, 3600.0))
         ->capture_default_str();
-    command->add_option("--method", options->method, "how time is integrated once the seams are closed; sewing itself is by xpbd")
+    command
+        ->add_option("--method", options->method,
+                     "how time is integrated once the seams are closed; sewing itself is by xpbd")
         ->check(CLI::IsMember(batch::sewMethods()));
     const auto isAuto = [](const std::string& text) { return std::string(text == "auto" ? "" : "only auto is known"); };
-    command->add_option_function<std::string>(
-               "--arrange", [options](const std::string&) { options->arrange = true; },
-               "auto: pieces that would start in the body are moved out of it (on another avatar they always are)")
+    command
+        ->add_option_function<std::string>(
+            "--arrange", [options](const std::string&) { options->arrange = true; },
+            "auto: pieces that would start in the body are moved out of it (on another avatar they always are)")
         ->check(isAuto);
     command->add_flag("--strict", options->strict, "refuse a garment that starts in the body or in itself");
     command->add_option("--threads", options->threads, "threads to use; this version computes on one whatever is asked")
         ->check(CLI::Range(1, 1024));
-    command->add_flag("--deterministic")->description("the same result whatever the number of threads; this version always gives it");
-    command->add_option_function<double>(
-               "--step", [options](const double& value) { options->step = value; }, "frame step [s]")
+    command->add_flag("--deterministic")
+        ->description("the same result whatever the number of threads; this version always gives it");
+    command
+        ->add_option_function<double>(
+            "--step", [options](const double& value) { options->step = value; }, "frame step [s]")
         ->check(CLI::Range(1e-4, 0.1));
-    command->add_option_function<std::string>(
-        "--substeps",
-        [options](const std::string& text) { options->substeps = text == "auto" ? 0 : std::stoi(text); },
-        "substeps of a frame step, or auto")
+    command
+        ->add_option_function<std::string>(
+            "--substeps",
+            [options](const std::string& text) { options->substeps = text == "auto" ? 0 : std::stoi(text); },
+            "substeps of a frame step, or auto")
         ->check([](const std::string& text) {
-            const bool number = !text.empty() && text.size() < 5 && text.find_first_not_of("0123456789") == std::string::npos;
+            const bool number =
+                !text.empty() && text.size() < 5 && text.find_first_not_of("0123456789") == std::string::npos;
             return text == "auto" || (number && std::stoi(text) > 0) ? "" : "a positive number or auto";
         });
     command->add_option("--out", options->out, "write the drape: .glb, .obj, .ply or .stl");
-    command->add_option("--frames", options->frames, "keep every frame step: a point cache (.pc2), or a folder for .obj files");
-    command->add_option("--picture", options->pictures, "write pictures; front, back, left, right or top by the file's name")
+    command->add_option("--frames", options->frames,
+                        "keep every frame step: a point cache (.pc2), or a folder for .obj files");
+    command
+        ->add_option("--picture", options->pictures,
+                     "write pictures; front, back, left, right or top by the file's name")
         ->delimiter(',')
         ->allow_extra_args(false); // a FILE behind it is not one more picture
     command->add_option("--report", options->report, "write sew.json");

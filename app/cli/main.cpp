@@ -19,7 +19,8 @@ std::stop_source stopOnInterrupt() {
     std::thread([] { // a signal handler may not touch a stop source
         while (interrupts == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
         source.request_stop();
-    }).detach();
+    })
+        .detach();
     return source;
 }
 

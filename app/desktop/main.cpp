@@ -9,8 +9,8 @@
 #include <QCommandLineParser>
 #include <QDir>
 #include <QLibraryInfo>
-#include <QSurfaceFormat>
 #include <QStandardPaths>
+#include <QSurfaceFormat>
 #include <QTimer>
 #include <QTranslator>
 
@@ -27,11 +27,13 @@ namespace {
 using namespace toile;
 
 QString versionText() {
-    return QString::fromStdString(batch::versionText("toile")) + QStringLiteral("Qt %1\n").arg(QLatin1String(qVersion()));
+    return QString::fromStdString(batch::versionText("toile")) +
+           QStringLiteral("Qt %1\n").arg(QLatin1String(qVersion()));
 }
 
 void logQtMessage(QtMsgType type, const QMessageLogContext&, const QString& message) {
-    const auto level = type == QtDebugMsg ? spdlog::level::debug : type == QtInfoMsg ? spdlog::level::info
+    const auto level = type == QtDebugMsg     ? spdlog::level::debug
+                       : type == QtInfoMsg    ? spdlog::level::info
                        : type == QtWarningMsg ? spdlog::level::warn
                                               : spdlog::level::critical;
     spdlog::log(level, "{}", message.toStdString());
@@ -42,8 +44,8 @@ void logQtMessage(QtMsgType type, const QMessageLogContext&, const QString& mess
 void startLog(const QString& folder) {
     QDir().mkpath(folder);
     try {
-        spdlog::set_default_logger(
-            spdlog::rotating_logger_mt("toile", QDir(folder).filePath(QStringLiteral("toile.log")).toStdString(), 1 << 20, 2));
+        spdlog::set_default_logger(spdlog::rotating_logger_mt(
+            "toile", QDir(folder).filePath(QStringLiteral("toile.log")).toStdString(), 1 << 20, 2));
         spdlog::flush_on(spdlog::level::info);
     } catch (const spdlog::spdlog_ex& problem) {
         std::fprintf(stderr, "toile: no log file: %s\n", problem.what());
@@ -55,7 +57,8 @@ void startLog(const QString& folder) {
 
 /// Where samples lie: installed beside the program, else in the source tree it was built from.
 QStringList sampleFolders() {
-    const QString installed = QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("../share/toile/samples"));
+    const QString installed =
+        QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("../share/toile/samples"));
     if (QDir(installed).exists()) return {QDir::cleanPath(installed)};
     return {QStringLiteral(TOILE_SAMPLES)};
 }
@@ -67,7 +70,8 @@ void loadTranslations(QApplication& application) {
         QApplication::installTranslator(ours.release());
     }
     auto* qts = new QTranslator(&application);
-    if (qts->load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"), QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    if (qts->load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
+                  QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QApplication::installTranslator(qts);
 }
 
@@ -94,10 +98,12 @@ int main(int argc, char** argv) {
     QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral("Garment pattern editor and simulation viewer"));
     parser.addHelpOption();
-    const QCommandLineOption version({QStringLiteral("v"), QStringLiteral("version")}, QStringLiteral("Print the facts of this build."));
+    const QCommandLineOption version({QStringLiteral("v"), QStringLiteral("version")},
+                                     QStringLiteral("Print the facts of this build."));
     const QCommandLineOption play(QStringLiteral("play"), QStringLiteral("Start to sew at once."));
     parser.addOptions({version, play});
-    parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("A .toile document or a GarmentCode pattern."), QStringLiteral("[FILE]"));
+    parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("A .toile document or a GarmentCode pattern."),
+                                 QStringLiteral("[FILE]"));
     parser.process(application);
 
     const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);

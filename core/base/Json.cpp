@@ -41,7 +41,9 @@ struct LineIterator {
 
 constexpr int deepestNesting = 200;
 
-bool isPlain(const Json& json) { return !json.asArray() && !json.asObject(); }
+bool isPlain(const Json& json) {
+    return !json.asArray() && !json.asObject();
+}
 
 void writeString(std::string& out, const std::string& text) {
     out += '"';
@@ -142,7 +144,8 @@ private:
     }
     Json* place(Json value) {
         if (open_.empty()) return &(root_ = std::move(value));
-        if (auto* array = std::get_if<Json::Array>(&open_.back()->value_)) return &array->emplace_back(std::move(value));
+        if (auto* array = std::get_if<Json::Array>(&open_.back()->value_))
+            return &array->emplace_back(std::move(value));
         auto& object = std::get<Json::Object>(open_.back()->value_);
         return &object.emplace_back(std::move(key_), std::move(value)).second;
     }
@@ -157,7 +160,8 @@ private:
         return true;
     }
     bool refuse(std::string text) {
-        error_ = Error{ErrorCode::invalidInput, std::move(text), Place{.file = file_, .line = line_ - (endsLine_ ? 1 : 0)}};
+        error_ =
+            Error{ErrorCode::invalidInput, std::move(text), Place{.file = file_, .line = line_ - (endsLine_ ? 1 : 0)}};
         return false;
     }
 

@@ -18,10 +18,10 @@ public:
     using Member = std::pair<std::string, Json>;
     using Object = std::vector<Member>;
 
-    Json() = default;                                  ///< null
+    Json() = default; ///< null
     Json(std::nullptr_t) {}
     Json(bool value) : value_(value) {}
-    Json(double value);                                ///< a number that is not finite becomes null
+    Json(double value); ///< a number that is not finite becomes null
     Json(int value) : value_(static_cast<double>(value)) {}
     Json(std::size_t value) : value_(static_cast<double>(value)) {}
     Json(const char* text) : value_(std::string(text)) {}

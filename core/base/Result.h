@@ -8,13 +8,13 @@
 namespace toile {
 
 enum class ErrorCode {
-    invalidInput,  ///< the file, the document or a setting is wrong
-    notFound,      ///< a file or a named thing does not exist
-    unsupported,   ///< right, but not offered (a newer version, an option not built)
-    tooLarge,      ///< would exceed the memory or time we allow ourselves
-    notConverged,  ///< a computation did not reach its goal
-    cancelled,     ///< the user stopped it
-    io,            ///< the operating system refused
+    invalidInput, ///< the file, the document or a setting is wrong
+    notFound,     ///< a file or a named thing does not exist
+    unsupported,  ///< right, but not offered (a newer version, an option not built)
+    tooLarge,     ///< would exceed the memory or time we allow ourselves
+    notConverged, ///< a computation did not reach its goal
+    cancelled,    ///< the user stopped it
+    io,           ///< the operating system refused
 };
 
 /// Where in the user's world something is wrong. Empty parts are unknown.

@@ -11,8 +11,7 @@ namespace toile::body {
 
 namespace {
 
-constexpr std::array allLimbs{Limb::neck,     Limb::torso,   Limb::leftArm,
-                              Limb::rightArm, Limb::leftLeg, Limb::rightLeg};
+constexpr std::array allLimbs{Limb::neck, Limb::torso, Limb::leftArm, Limb::rightArm, Limb::leftLeg, Limb::rightLeg};
 constexpr int ringCount = 12;
 
 /// Orthonormal, y as given, z as near to the front as it can be.
@@ -45,16 +44,11 @@ Ends endsOf(const Body& body, const LimbAxis& axis) {
         const Vec3 along = up.y > 0 ? normalized(up) : Vec3{0, 1, 0};
         return {base, base + along * ((crownOf(body) - base.y) / std::max(along.y, 0.5))};
     }
-    case Limb::torso:
-        return {l.waist, {l.waist.x, l.nape.y, l.waist.z}};
-    case Limb::leftArm:
-        return {axis.points.front(), l.wristLeft};
-    case Limb::rightArm:
-        return {axis.points.front(), l.wristRight};
-    case Limb::leftLeg:
-        return {{axis.points.front().x, l.crotch.y, axis.points.front().z}, l.ankleLeft};
-    case Limb::rightLeg:
-        break;
+    case Limb::torso: return {l.waist, {l.waist.x, l.nape.y, l.waist.z}};
+    case Limb::leftArm: return {axis.points.front(), l.wristLeft};
+    case Limb::rightArm: return {axis.points.front(), l.wristRight};
+    case Limb::leftLeg: return {{axis.points.front().x, l.crotch.y, axis.points.front().z}, l.ankleLeft};
+    case Limb::rightLeg: break;
     }
     return {{axis.points.front().x, l.crotch.y, axis.points.front().z}, l.ankleRight};
 }
@@ -128,8 +122,7 @@ std::vector<ArrangementVolume> arrangementVolumes(const Body& body) {
     for (const Limb limb : allLimbs) {
         const auto frame = limbFrame(body, limb);
         if (!frame) continue;
-        ArrangementVolume volume{
-            .limb = limb, .frame = *frame, .length = limbLength(body, limb), .rings = {}};
+        ArrangementVolume volume{.limb = limb, .frame = *frame, .length = limbLength(body, limb), .rings = {}};
         for (int n = 0; n < ringCount; ++n)
             if (const auto ring = ringAt(body, *frame, volume.length * n / (ringCount - 1)))
                 volume.rings.push_back(*ring);
@@ -156,8 +149,7 @@ std::optional<double> sizeRatio(const Body& from, const Body& to, Limb limb) {
     return (end->side + end->depth) / (start->side + start->depth);
 }
 
-std::optional<Transform> placementCarriedOver(const Transform& placement, const Body& from, const Body& to,
-                                              Limb limb) {
+std::optional<Transform> placementCarriedOver(const Transform& placement, const Body& from, const Body& to, Limb limb) {
     const auto carried = carriedOver(from, to, limb);
     if (!carried) return std::nullopt;
     const Transform start = *limbFrame(from, limb), end = *limbFrame(to, limb);

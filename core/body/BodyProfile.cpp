@@ -30,8 +30,7 @@ std::optional<SectionLoop> trunkAt(const geometry::TriangleMesh& mesh, const Bod
     });
 }
 
-std::optional<SectionLoop> leftLegAt(const geometry::TriangleMesh& mesh, const BodyProfile& profile,
-                                     double y) {
+std::optional<SectionLoop> leftLegAt(const geometry::TriangleMesh& mesh, const BodyProfile& profile, double y) {
     const double margin = 0.01 * profile.height, reach = 0.2 * profile.height; // not a hand
     return longestLoop(mesh, y, [&](const geometry::Box3& box) {
         return box.low.x > profile.middle - margin && box.low.x < profile.middle + reach;

@@ -19,12 +19,12 @@ struct BodyProfile {
 
 /// The outline of the trunk, neck or head at a height: the longest curve that spans the middle; none between
 /// the legs.
-[[nodiscard]] std::optional<SectionLoop> trunkAt(const geometry::TriangleMesh& mesh,
-                                                 const BodyProfile& profile, double y);
+[[nodiscard]] std::optional<SectionLoop> trunkAt(const geometry::TriangleMesh& mesh, const BodyProfile& profile,
+                                                 double y);
 
 /// The outline of the left leg at a height: the longest curve wholly on the left of the middle.
-[[nodiscard]] std::optional<SectionLoop> leftLegAt(const geometry::TriangleMesh& mesh,
-                                                   const BodyProfile& profile, double y);
+[[nodiscard]] std::optional<SectionLoop> leftLegAt(const geometry::TriangleMesh& mesh, const BodyProfile& profile,
+                                                   double y);
 
 [[nodiscard]] geometry::Box3 boundsOf(const SectionLoop& loop);
 /// The point of a curve with the largest product with a direction.

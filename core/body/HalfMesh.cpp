@@ -15,8 +15,7 @@ using geometry::TriangleIndices;
 using geometry::TriangleMesh;
 
 std::uint64_t keyOf(int from, int to) {
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(from)) << 32 |
-           static_cast<std::uint32_t>(to);
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(from)) << 32 | static_cast<std::uint32_t>(to);
 }
 
 int opposite(const TriangleIndices& t, int a, int b) {
@@ -53,8 +52,7 @@ bool flipOnce(TriangleMesh& mesh) {
             if (touched[t] || a > b) continue;
             const auto other = triangleOf.find(keyOf(b, a));
             if (other == triangleOf.end() || touched[other->second]) continue;
-            const int c = opposite(mesh.triangles[t], a, b),
-                      d = opposite(mesh.triangles[other->second], a, b);
+            const int c = opposite(mesh.triangles[t], a, b), d = opposite(mesh.triangles[other->second], a, b);
             if (valence[a] <= 4 || valence[b] <= 4 || triangleOf.contains(keyOf(c, d)) ||
                 triangleOf.contains(keyOf(d, c)))
                 continue;

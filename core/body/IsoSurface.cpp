@@ -40,8 +40,7 @@ struct Sheets {
 /// cell (i, j, k), so that the cells i = 0 straddle the plane of symmetry.
 class HalfNet {
 public:
-    HalfNet(const Field& field, const Vec3& origin, double spacing)
-        : field_(field), origin_(origin), h_(spacing) {}
+    HalfNet(const Field& field, const Vec3& origin, double spacing) : field_(field), origin_(origin), h_(spacing) {}
 
     /// Walks over the surface from the first sign change above the seed.
     void follow() {
@@ -71,9 +70,7 @@ public:
     }
 
 private:
-    [[nodiscard]] Vec3 place(Lattice s) const {
-        return {(s.i + 0.5) * h_, origin_.y + s.j * h_, origin_.z + s.k * h_};
-    }
+    [[nodiscard]] Vec3 place(Lattice s) const { return {(s.i + 0.5) * h_, origin_.y + s.j * h_, origin_.z + s.k * h_}; }
     /// Samples left of the plane are those of their mirror image.
     double value(Lattice s) {
         if (s.i < 0) s.i = -1 - s.i;
@@ -161,8 +158,7 @@ private:
         const bool inside = value(step(cell, axis, -1)) < 0;
         if (inside == (value(cell) < 0)) return;
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        const std::array<Lattice, 4> round{cell, step(cell, u, 1), step(step(cell, u, 1), v, 1),
-                                           step(cell, v, 1)};
+        const std::array<Lattice, 4> round{cell, step(cell, u, 1), step(step(cell, u, 1), v, 1), step(cell, v, 1)};
         std::array<int, 4> q{};
         for (std::size_t c = 0; c < 4; ++c) {
             const Sheets& sheets = sheets_.at(round[c]);

@@ -50,8 +50,8 @@ std::optional<Shoulder> shoulderOf(const TriangleMesh& mesh, const BodyProfile& 
     const Vec3 hand = *std::ranges::max_element(mesh.vertices, {}, &Vec3::x) - sideNeck;
     const bool stretchedOut = -hand.y < 0.35 * hand.x;
     if (stretchedOut)
-        shoulder.acromion = *std::ranges::min_element(
-            line, {}, [&](const Vec3& p) { return std::abs(p.x - armpitX - 0.015 * h); });
+        shoulder.acromion =
+            *std::ranges::min_element(line, {}, [&](const Vec3& p) { return std::abs(p.x - armpitX - 0.015 * h); });
     const double jointX = std::max(shoulder.acromion.x, armpitX);
     const auto top = topAt(mesh, jointX + 0.02 * h, low, high);
     const auto under = top ? undersideAt(mesh, jointX + 0.02 * h, *top) : std::nullopt;
@@ -105,9 +105,7 @@ std::optional<TracedArm> armOf(const TriangleMesh& mesh, const BodyProfile& prof
 
 std::optional<TracedLeg> legOf(const TriangleMesh& mesh, const BodyProfile& profile, double crotch) {
     const double h = profile.height;
-    const auto loopAt = [&](double fraction) {
-        return leftLegAt(mesh, profile, profile.floor + fraction * h);
-    };
+    const auto loopAt = [&](double fraction) { return leftLegAt(mesh, profile, profile.floor + fraction * h); };
     const auto foot = loopAt(0.02);
     if (!foot) return std::nullopt;
     TracedLeg leg;

@@ -15,9 +15,8 @@ struct Shoulder {
     Vec3 joint;    ///< in the middle of the arm's root
 };
 /// armpit: its height.
-[[nodiscard]] std::optional<Shoulder> shoulderOf(const geometry::TriangleMesh& mesh,
-                                                 const BodyProfile& profile, const Vec3& sideNeck,
-                                                 double armpit);
+[[nodiscard]] std::optional<Shoulder> shoulderOf(const geometry::TriangleMesh& mesh, const BodyProfile& profile,
+                                                 const Vec3& sideNeck, double armpit);
 
 struct TracedArm {
     std::vector<Vec3> axis; ///< from the joint to past the hand

@@ -44,8 +44,8 @@ std::optional<Error> firstImpossible(const Measurements& m) {
     for (const Range& r : ranges)
         if (!(r.value >= r.low && r.value <= r.high))
             return Error{ErrorCode::invalidInput,
-                         fmt::format("{} must lie between {:.3f} and {:.3f} for this body, but is {:.3f}.",
-                                     r.name, r.low, r.high, r.value),
+                         fmt::format("{} must lie between {:.3f} and {:.3f} for this body, but is {:.3f}.", r.name,
+                                     r.low, r.high, r.value),
                          {.path = r.name}};
     return std::nullopt;
 }
@@ -59,8 +59,8 @@ std::vector<Girth> measuredGirths(const geometry::TriangleMesh& mesh, const Mann
         const auto loop = sectionRound(mesh, {plane.origin, plane.normal});
         const bool alongArm = name == GirthName::biceps || name == GirthName::wrist;
         const double level = name == GirthName::neck ? shape.neckAt
-                             : alongArm ? dot(plane.origin - shape.armFrame.origin, shape.armFrame.axisY)
-                                        : plane.origin.y;
+                             : alongArm              ? dot(plane.origin - shape.armFrame.origin, shape.armFrame.axisY)
+                                                     : plane.origin.y;
         girths.push_back({girthNames[static_cast<std::size_t>(g)], asked[static_cast<std::size_t>(g)],
                           loop ? tapeGirth(*loop) : 0, loop ? perimeter(*loop) : 0, level});
     }
@@ -111,9 +111,9 @@ void standOnFloor(Body& body) {
     const Vec3 down{0, geometry::boundsOf(body.mesh.vertices).low.y, 0};
     for (Vec3& p : body.mesh.vertices) p -= down;
     Landmarks& l = body.landmarks;
-    for (Vec3* p : {&l.nape, &l.frontNeck, &l.neckLeft, &l.neckRight, &l.acromionLeft, &l.acromionRight,
-                    &l.bustLeft, &l.bustRight, &l.waist, &l.hip, &l.crotch, &l.wristLeft, &l.wristRight,
-                    &l.ankleLeft, &l.ankleRight})
+    for (Vec3* p :
+         {&l.nape, &l.frontNeck, &l.neckLeft, &l.neckRight, &l.acromionLeft, &l.acromionRight, &l.bustLeft,
+          &l.bustRight, &l.waist, &l.hip, &l.crotch, &l.wristLeft, &l.wristRight, &l.ankleLeft, &l.ankleRight})
         *p -= down;
     for (LimbAxis& axis : body.axes)
         for (Vec3& p : axis.points) p -= down;
@@ -150,9 +150,8 @@ Result<Mannequin> makeMannequin(const Measurements& m) {
     const Girth& worst = worstOf(girths);
     return fail(
         ErrorCode::notConverged,
-        fmt::format(
-            "{} of {:.3f} m was not reached (closest {:.3f} m); it does not go with the other measurements.",
-            worst.name, worst.asked, worst.hull),
+        fmt::format("{} of {:.3f} m was not reached (closest {:.3f} m); it does not go with the other measurements.",
+                    worst.name, worst.asked, worst.hull),
         {.path = worst.name});
 }
 

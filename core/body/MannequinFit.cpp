@@ -20,8 +20,7 @@ double distanceToSkin(const MannequinShape& shape, const Vec3& inside, const Vec
         low = high;
         high += std::clamp(-0.5 * d, 0.001, 0.02);
     }
-    double below = shape.distance(inside + direction * low),
-           above = shape.distance(inside + direction * high);
+    double below = shape.distance(inside + direction * low), above = shape.distance(inside + direction * high);
     for (int n = 0; n < 6 && above - below > 1e-12; ++n) { // regula falsi, halved where it stalls
         const double middle = n % 3 == 2 ? (low + high) / 2 : low + (high - low) * below / (below - above);
         const double d = shape.distance(inside + direction * middle);
@@ -77,22 +76,14 @@ TapePlane tapePlane(const MannequinShape& shape, GirthName name) {
     const Transform& arm = shape.armFrame;
     const auto level = [&](double height) { return TapePlane{torsoMiddle(shape, height), up, side}; };
     switch (name) {
-    case GirthName::bust:
-        return level(bustPoint(shape).y);
-    case GirthName::underBust:
-        return level(shape.levels.underBust);
-    case GirthName::waist:
-        return level(shape.levels.waist);
-    case GirthName::hip:
-        return level(shape.levels.hip);
-    case GirthName::neck:
-        return {shape.neckFrame.point({0, shape.neckAt, 0}), shape.neckFrame.axisY, side};
-    case GirthName::biceps:
-        return {shape.arm.middle(shape.bicepsAt), arm.axisY, arm.axisZ};
-    case GirthName::wrist:
-        return {shape.arm.middle(shape.wristAt), arm.axisY, arm.axisZ};
-    case GirthName::thigh:
-        break;
+    case GirthName::bust: return level(bustPoint(shape).y);
+    case GirthName::underBust: return level(shape.levels.underBust);
+    case GirthName::waist: return level(shape.levels.waist);
+    case GirthName::hip: return level(shape.levels.hip);
+    case GirthName::neck: return {shape.neckFrame.point({0, shape.neckAt, 0}), shape.neckFrame.axisY, side};
+    case GirthName::biceps: return {shape.arm.middle(shape.bicepsAt), arm.axisY, arm.axisZ};
+    case GirthName::wrist: return {shape.arm.middle(shape.wristAt), arm.axisY, arm.axisZ};
+    case GirthName::thigh: break;
     }
     return {shape.leg.middle(shape.levels.thigh), up, side};
 }
@@ -104,8 +95,7 @@ double tapeGirth(const MannequinShape& shape, const TapePlane& plane) {
     for (int n = 0; n < rays; ++n) {
         const double angle = 2 * std::numbers::pi * n / rays;
         const Vec2 towards{std::cos(angle), std::sin(angle)};
-        points.push_back(towards *
-                         distanceToSkin(shape, plane.origin, plane.across * towards.x + other * towards.y));
+        points.push_back(towards * distanceToSkin(shape, plane.origin, plane.across * towards.x + other * towards.y));
     }
     const double chordsTooShort = 1 - std::pow(std::numbers::pi / rays, 2) / 6;
     return perimeter(convexHull(points)) / chordsTooShort;
@@ -117,8 +107,7 @@ Landmarks landmarksOf(const MannequinShape& shape, const Measurements& m) {
     l.nape = skinFrom(shape, onNeckAxis(shape, y.nape), {0, 0, -1});
     l.frontNeck = skinFrom(shape, onNeckAxis(shape, y.frontNeck), {0, 0, 1});
     l.neckLeft = skinFrom(shape, onNeckAxis(shape, y.sideNeck), {1, 0, 0});
-    l.acromionLeft =
-        skinFrom(shape, {m.shoulderWidth / 2, shape.armFrame.origin.y - 0.01, shape.shoulderZ}, {0, 1, 0});
+    l.acromionLeft = skinFrom(shape, {m.shoulderWidth / 2, shape.armFrame.origin.y - 0.01, shape.shoulderZ}, {0, 1, 0});
     l.bustLeft = bustPoint(shape);
     l.waist = torsoMiddle(shape, y.waist);
     l.hip = torsoMiddle(shape, y.hip);

@@ -29,8 +29,7 @@ namespace {
 
 /// Half-width, front and back as coordinates, about the level's middle.
 Section level(double at, double halfWidth, double front, double back, double scale, double power = 2) {
-    const double middle =
-        0.35 * front + 0.65 * back + 0.03; // the widest place lies behind the middle of the depth
+    const double middle = 0.35 * front + 0.65 * back + 0.03; // the widest place lies behind the middle of the depth
     const double z = std::clamp(middle, back + 0.3 * (front - back), front - 0.3 * (front - back));
     return {at, {0, z}, halfWidth * scale, halfWidth * scale, (front - z) * scale, (z - back) * scale, power};
 }
@@ -40,22 +39,19 @@ Section level(double at, double halfWidth, double front, double back, double sca
 SectionTube torsoOf(const Levels& y, const Scales& s) {
     const double belly = (s.waist + s.hip) / 2, chest = s.chest;
     const auto between = [](double a, double b, double t) { return a + (b - a) * t; };
-    return {
-        {},
-        {level(y.pelvis, 0.176, 0.094, -0.092, s.hip, 2.05),
-         level(between(y.pelvis, y.waist, 0.33), 0.160, 0.099, -0.095, between(s.hip, s.waist, 0.25), 2.05),
-         level(between(y.pelvis, y.waist, 0.66), 0.145, 0.105, -0.083, belly, 2.05),
-         level(y.waist, 0.128, 0.102, -0.073, s.waist, 2.05),
-         level(between(y.waist, y.underBust, 0.55), 0.1325, 0.105, -0.086, between(s.waist, s.ribs, 0.5),
-               2.05),
-         level(y.underBust, 0.138, 0.107, -0.099, s.ribs, 2.05),
-         level(y.bust, 0.146, 0.104, -0.113, chest, 2.05),
-         level(between(y.bust, y.acromion, 0.42), 0.141, 0.082, -0.117, chest, 2.05),
-         level(between(y.bust, y.acromion, 0.75), 0.112, 0.051, -0.104, chest, 2),
-         level(y.acromion + 0.002, 0.078, 0.024, -0.093, chest, 2),
-         level(y.sideNeck - 0.012, 0.054, 0.000, -0.080, chest, 2)},
-        std::max(y.pelvis - y.crotch, 0.02),
-        0.03};
+    return {{},
+            {level(y.pelvis, 0.176, 0.094, -0.092, s.hip, 2.05),
+             level(between(y.pelvis, y.waist, 0.33), 0.160, 0.099, -0.095, between(s.hip, s.waist, 0.25), 2.05),
+             level(between(y.pelvis, y.waist, 0.66), 0.145, 0.105, -0.083, belly, 2.05),
+             level(y.waist, 0.128, 0.102, -0.073, s.waist, 2.05),
+             level(between(y.waist, y.underBust, 0.55), 0.1325, 0.105, -0.086, between(s.waist, s.ribs, 0.5), 2.05),
+             level(y.underBust, 0.138, 0.107, -0.099, s.ribs, 2.05), level(y.bust, 0.146, 0.104, -0.113, chest, 2.05),
+             level(between(y.bust, y.acromion, 0.42), 0.141, 0.082, -0.117, chest, 2.05),
+             level(between(y.bust, y.acromion, 0.75), 0.112, 0.051, -0.104, chest, 2),
+             level(y.acromion + 0.002, 0.078, 0.024, -0.093, chest, 2),
+             level(y.sideNeck - 0.012, 0.054, 0.000, -0.080, chest, 2)},
+            std::max(y.pelvis - y.crotch, 0.02),
+            0.03};
 }
 
 /// The bar of trapezius, collar bones and shoulder blades from the middle outward; its sections stand in (z,
@@ -107,8 +103,7 @@ SectionTube headOf(const Levels& y, double t) {
 SectionTube armOf(const Transform& frame, const Scales& s, double biceps, double wrist) {
     const double elbow = 0.52 * wrist;
     const double b = s.biceps, w = s.wrist, e = (b + w) / 2, h = 0.5 * (s.tall + w);
-    const auto ring = [](double at, double top, double under, double front, double back, double power,
-                         double forward) {
+    const auto ring = [](double at, double top, double under, double front, double back, double power, double forward) {
         return Section{at, {0, forward}, top, under, front, back, power};
     };
     return {frame,
@@ -155,8 +150,7 @@ SectionTube legOf(const Levels& y, const Scales& s, double ankleX) {
     const double u = s.thigh, k = 0.5 * (s.thigh + s.tall), l = y.crotch / drawn.insideLeg, t = s.tall;
     const double thighX = thighXOf(s);
     const auto x = [&](double part) { return ankleX + (thighX - ankleX) * part; };
-    const auto ring = [](double at, double cx, double cz, double half, double front, double back,
-                         double scale) {
+    const auto ring = [](double at, double cx, double cz, double half, double front, double back, double scale) {
         return Section{at, {cx, cz}, half * scale, half * scale, front * scale, back * scale, 2};
     };
     const double top = y.pelvis - y.crotch;
@@ -180,10 +174,8 @@ SectionTube legOf(const Levels& y, const Scales& s, double ankleX) {
 /// Along the foot from under the ankle; x of its frame points inward, z up.
 SectionTube footOf(double ankleX, double t) {
     const double out = 0.12; // toes turned outward [rad]
-    const Transform frame{{-std::cos(out), 0, std::sin(out)},
-                          {std::sin(out), 0, std::cos(out)},
-                          {0, 1, 0},
-                          {ankleX, 0, -0.028}};
+    const Transform frame{
+        {-std::cos(out), 0, std::sin(out)}, {std::sin(out), 0, std::cos(out)}, {0, 1, 0}, {ankleX, 0, -0.028}};
     const auto ring = [&](double at, double half, double middle, double up, double inward) {
         return Section{at * t, {inward * t, middle * t}, half * t, half * t, up * t, middle * t, 2.5};
     };

@@ -14,12 +14,10 @@ struct Scales {
 
 // The tubes of the left half; frames and places along the arm as in MannequinShape. Lengths [m].
 [[nodiscard]] SectionTube torsoOf(const Levels& levels, const Scales& scales);
-[[nodiscard]] SectionTube shoulderOf(const Measurements& measurements, const Levels& levels, double rise,
-                                     double z);
+[[nodiscard]] SectionTube shoulderOf(const Measurements& measurements, const Levels& levels, double rise, double z);
 [[nodiscard]] SectionTube neckOf(const Transform& frame, const Scales& scales);
 [[nodiscard]] SectionTube headOf(const Levels& levels, double tall);
-[[nodiscard]] SectionTube armOf(const Transform& frame, const Scales& scales, double bicepsAt,
-                                double wristAt);
+[[nodiscard]] SectionTube armOf(const Transform& frame, const Scales& scales, double bicepsAt, double wristAt);
 [[nodiscard]] SectionTube thumbOf(const Transform& arm, double wristAt, const Scales& scales);
 [[nodiscard]] SectionTube legOf(const Levels& levels, const Scales& scales, double ankleX);
 [[nodiscard]] SectionTube footOf(double ankleX, double tall);

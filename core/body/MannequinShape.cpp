@@ -18,8 +18,7 @@ double tallness(const Measurements& m) {
 }
 
 Transform turned(double outward, double upward, const Vec3& origin) {
-    const Vec3 z{std::sin(outward) * std::cos(upward), std::sin(upward),
-                 std::cos(outward) * std::cos(upward)};
+    const Vec3 z{std::sin(outward) * std::cos(upward), std::sin(upward), std::cos(outward) * std::cos(upward)};
     const Vec3 x = normalized(cross({0, 1, 0}, z));
     return {x, cross(z, x), z, origin};
 }
@@ -89,8 +88,8 @@ Ellipsoid buttockOf(const Levels& y, const Scales& s) {
 double Ellipsoid::distance(const Vec3& point) const {
     const Vec3 d = point - frame.origin;
     const double away = length(d);
-    const double q = std::hypot(dot(d, frame.axisX) / radii.x, dot(d, frame.axisY) / radii.y,
-                                dot(d, frame.axisZ) / radii.z);
+    const double q =
+        std::hypot(dot(d, frame.axisX) / radii.x, dot(d, frame.axisY) / radii.y, dot(d, frame.axisZ) / radii.z);
     if (q < 0.05) return -0.95 * std::min({radii.x, radii.y, radii.z});
     return (q - 1) / q * away;
 }
@@ -103,8 +102,7 @@ MannequinShape mannequinShape(const Measurements& m, const ShapeFactors& f) {
     const Transform neck = neckFrameOf(y), arm = armFrameOf(m, y, f, shoulderZ);
     const double wristAt = wristAlong(m, y, arm, 0.012) + f.wristShift, bicepsAt = 0.27 * wristAt;
     const double t = s.tall;
-    const Ellipsoid nose{turned(0, 0.35, {0, y.crown - 0.130 * t, 0.093 * t}),
-                         {0.011 * t, 0.022 * t, 0.014 * t}};
+    const Ellipsoid nose{turned(0, 0.35, {0, y.crown - 0.130 * t, 0.093 * t}), {0.011 * t, 0.022 * t, 0.014 * t}};
     return {.levels = y,
             .shoulderZ = shoulderZ,
             .wristAt = wristAt,

@@ -18,8 +18,8 @@ struct ShapeFactors {
 
 /// Heights above the floor of the places where the body is measured [m].
 struct Levels {
-    double crown = 0, chin = 0, nape = 0, sideNeck = 0, frontNeck = 0, acromion = 0, bust = 0, underBust = 0,
-           waist = 0, hip = 0, pelvis = 0, crotch = 0, thigh = 0, knee = 0, ankle = 0;
+    double crown = 0, chin = 0, nape = 0, sideNeck = 0, frontNeck = 0, acromion = 0, bust = 0, underBust = 0, waist = 0,
+           hip = 0, pelvis = 0, crotch = 0, thigh = 0, knee = 0, ankle = 0;
 };
 
 /// The levels that measurements ask for.
@@ -39,7 +39,7 @@ struct MannequinShape {
     double wristAt = 0, bicepsAt = 0; ///< along the arm from the shoulder joint [m]
     double neckAt = 0;                ///< where the neck is measured, along the neck [m]
     Transform neckFrame;              ///< y up the neck; origin in the plane of nape and pit of the neck
-    Transform armFrame; ///< y along the arm, z forward, x to its underside; origin at the shoulder joint
+    Transform armFrame;               ///< y along the arm, z forward, x to its underside; origin at the shoulder joint
     SectionTube torso, shoulder, neck, head, arm, thumb, leg, foot;
     Ellipsoid breast, buttock, nose;
 

@@ -26,22 +26,19 @@ PlaneAxes axesOf(const Vec3& normal) {
 
 std::uint64_t edgeKey(int a, int b) {
     const auto [low, high] = std::minmax(a, b);
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(low)) << 32 |
-           static_cast<std::uint32_t>(high);
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(low)) << 32 | static_cast<std::uint32_t>(high);
 }
 
 /// The crossing of each cut triangle: from the edge it enters through to the edge it leaves through.
 struct Crossings {
-    std::unordered_map<std::uint64_t, std::uint64_t>
-        next; ///< edge → edge, the body on the same side throughout
+    std::unordered_map<std::uint64_t, std::uint64_t> next; ///< edge → edge, the body on the same side throughout
     std::unordered_map<std::uint64_t, Vec3> at;
     std::vector<std::uint64_t> starts; ///< in the order of the triangles
 };
 
 Crossings crossingsOf(const TriangleMesh& mesh, const Plane& plane) {
     std::vector<double> height(mesh.vertices.size());
-    for (std::size_t v = 0; v < height.size(); ++v)
-        height[v] = dot(mesh.vertices[v] - plane.origin, plane.normal);
+    for (std::size_t v = 0; v < height.size(); ++v) height[v] = dot(mesh.vertices[v] - plane.origin, plane.normal);
     Crossings result;
     for (const auto& t : mesh.triangles) {
         std::uint64_t in = 0, out = 0;
@@ -51,8 +48,7 @@ Crossings crossingsOf(const TriangleMesh& mesh, const Plane& plane) {
             if ((height[a] < 0) == (height[b] < 0)) continue;
             const int low = std::min(a, b), high = std::max(a, b);
             const std::uint64_t key = edgeKey(a, b);
-            result.at[key] =
-                lerp(mesh.vertices[low], mesh.vertices[high], height[low] / (height[low] - height[high]));
+            result.at[key] = lerp(mesh.vertices[low], mesh.vertices[high], height[low] / (height[low] - height[high]));
             (height[a] < 0 ? in : out) = key;
             ++found;
         }
@@ -78,12 +74,10 @@ std::vector<SectionLoop> sectionsOf(const TriangleMesh& mesh, const Plane& plane
              back = before.find(first))
             first = back->second; // an open curve begins at its end
         SectionLoop loop{plane, {crossings.at[first]}};
-        for (auto step = crossings.next.find(first); step != crossings.next.end();
-             step = crossings.next.find(first)) {
+        for (auto step = crossings.next.find(first); step != crossings.next.end(); step = crossings.next.find(first)) {
             first = step->second;
             crossings.next.erase(step);
-            if (crossings.next.contains(first) || !before.contains(first))
-                loop.points.push_back(crossings.at[first]);
+            if (crossings.next.contains(first) || !before.contains(first)) loop.points.push_back(crossings.at[first]);
         }
         if (loop.points.size() >= 3) loops.push_back(std::move(loop));
     }
@@ -103,15 +97,13 @@ std::vector<Vec2> inPlane(const SectionLoop& loop) {
     const auto [u, v] = axesOf(loop.plane.normal);
     std::vector<Vec2> result;
     result.reserve(loop.points.size());
-    for (const Vec3& p : loop.points)
-        result.push_back({dot(p - loop.plane.origin, u), dot(p - loop.plane.origin, v)});
+    for (const Vec3& p : loop.points) result.push_back({dot(p - loop.plane.origin, u), dot(p - loop.plane.origin, v)});
     return result;
 }
 
 double perimeter(const std::vector<Vec2>& polygon) {
     double sum = 0;
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-        sum += distance(polygon[i], polygon[(i + 1) % polygon.size()]);
+    for (std::size_t i = 0; i < polygon.size(); ++i) sum += distance(polygon[i], polygon[(i + 1) % polygon.size()]);
     return sum;
 }
 

@@ -22,13 +22,11 @@ struct Side {
 };
 
 tl::unexpected<Error> notABody(const std::string& name, const std::string& reason) {
-    return fail(
-        ErrorCode::invalidInput,
-        fmt::format(
-            "The shape does not look like a body that stands upright, faces +z and holds its arms away "
-            "from its sides: {}.",
-            reason),
-        {.object = name});
+    return fail(ErrorCode::invalidInput,
+                fmt::format("The shape does not look like a body that stands upright, faces +z and holds its arms away "
+                            "from its sides: {}.",
+                            reason),
+                {.object = name});
 }
 
 /// The place in [low, high] where a function is least, looked for on a grid.
@@ -42,8 +40,7 @@ double placeOfLeast(double low, double high, int steps, const std::function<doub
 }
 
 struct Trunk {
-    double crotch = 0, hip = 0, waist = 0, bust = 0, armpit = 0, sideNeck = 0, nape = 0, frontNeck = 0,
-           throat = 0;
+    double crotch = 0, hip = 0, waist = 0, bust = 0, armpit = 0, sideNeck = 0, nape = 0, frontNeck = 0, throat = 0;
 };
 
 /// Reads heights off the sections of one mesh.
@@ -112,9 +109,8 @@ double bustLevel(const TrunkReader& read, double armpit, double h) {
         if (front[i] >= *std::ranges::max_element(near)) return high - step * static_cast<double>(i);
     }
     const double ribs = read.front(low), collar = read.front(armpit + 0.06 * h);
-    return placeOfLeast(low, high, 40, [&](double y) {
-        return ribs + (collar - ribs) * (y - low) / (0.15 * h) - read.front(y);
-    });
+    return placeOfLeast(low, high, 40,
+                        [&](double y) { return ribs + (collar - ribs) * (y - low) / (0.15 * h) - read.front(y); });
 }
 
 /// Heights of the trunk; the fractions of the stature bound where each is looked for.
@@ -134,8 +130,7 @@ Result<Trunk> trunkOf(const std::string& name, const TriangleMesh& mesh, const B
     t.nape = t.sideNeck + 0.006 * h;
     t.frontNeck = t.sideNeck - 0.025 * h;
     t.bust = bustLevel(read, t.armpit, h);
-    t.waist =
-        placeOfLeast(t.crotch + 0.10 * h, t.bust - 0.05 * h, 60, [&](double y) { return read.girth(y); });
+    t.waist = placeOfLeast(t.crotch + 0.10 * h, t.bust - 0.05 * h, 60, [&](double y) { return read.girth(y); });
     t.hip = placeOfLeast(t.crotch + 0.001 * h, t.waist, 80, [&](double y) { return -read.girth(y); });
     return t;
 }
@@ -163,8 +158,8 @@ Result<Side> leftSideOf(const std::string& name, const TriangleMesh& mesh, const
     const auto leg = legOf(mesh, profile, trunk.crotch);
     if (!leg) return notABody(name, "no leg could be followed from the crotch to the floor");
     if (!leg->facesFront)
-        return fail(ErrorCode::invalidInput,
-                    "The body's toes point toward −z; turn it round so that it faces +z.", {.object = name});
+        return fail(ErrorCode::invalidInput, "The body's toes point toward −z; turn it round so that it faces +z.",
+                    {.object = name});
     side.leg = leg->axis;
     side.ankle = leg->ankle;
     return side;
@@ -198,25 +193,20 @@ Landmarks landmarksOf(const TrunkReader& read, const BodyProfile& profile, const
     return l;
 }
 
-std::vector<LimbAxis> axesOf(const TrunkReader& read, const BodyProfile& profile, const Trunk& t,
-                             const Side& left, const Side& right) {
+std::vector<LimbAxis> axesOf(const TrunkReader& read, const BodyProfile& profile, const Trunk& t, const Side& left,
+                             const Side& right) {
     const double h = profile.height;
     const auto middle = [&](double y) { return middleAt(read, profile, y); };
     const Vec3 chest = middle(t.armpit), base = middle(t.sideNeck), head = middle(read.at(0.94));
     const Vec3 below = middle(t.crotch + 0.02 * h);
-    return {{Limb::neck, {chest, base, middle(t.throat), head, {head.x, read.at(1.06), head.z}}},
-            {Limb::torso,
-             {base,
-              chest,
-              middle(t.bust),
-              middle(t.waist),
-              middle(t.hip),
-              below,
-              {below.x, t.crotch - 0.27 * h, below.z}}},
-            {Limb::leftArm, left.arm},
-            {Limb::rightArm, right.arm},
-            {Limb::leftLeg, left.leg},
-            {Limb::rightLeg, right.leg}};
+    return {
+        {Limb::neck, {chest, base, middle(t.throat), head, {head.x, read.at(1.06), head.z}}},
+        {Limb::torso,
+         {base, chest, middle(t.bust), middle(t.waist), middle(t.hip), below, {below.x, t.crotch - 0.27 * h, below.z}}},
+        {Limb::leftArm, left.arm},
+        {Limb::rightArm, right.arm},
+        {Limb::leftLeg, left.leg},
+        {Limb::rightLeg, right.leg}};
 }
 
 } // namespace

@@ -45,16 +45,15 @@ double norm(double u, double v, double power) {
 
 } // namespace
 
-SectionTube::SectionTube(const Transform& frame, const std::vector<Section>& sections, double lowCap,
-                         double highCap)
+SectionTube::SectionTube(const Transform& frame, const std::vector<Section>& sections, double lowCap, double highCap)
     : frame_(frame), lowCap_(lowCap), highCap_(highCap) {
     expects(sections.size() >= 2, "a tube has at least two sections");
     for (const Section& s : sections) {
         expects(at_.empty() || s.at > at_.back(), "the sections of a tube stand in order");
         at_.push_back(s.at);
         values_.push_back({s.centre.x, s.centre.y, s.right, s.left, s.front, s.back, s.power});
-        reach_ = std::max(reach_, 1.1 * (length(s.centre) +
-                                         std::hypot(std::max(s.right, s.left), std::max(s.front, s.back))));
+        reach_ = std::max(reach_,
+                          1.1 * (length(s.centre) + std::hypot(std::max(s.right, s.left), std::max(s.front, s.back))));
     }
     curvatures_ = clampedCurvatures(at_, values_);
 }
@@ -74,8 +73,7 @@ SectionTube::Values SectionTube::valuesAt(double at) const {
 double SectionTube::distance(const Vec3& point) const {
     const Vec3 d = point - frame_.origin;
     const double x = dot(d, frame_.axisX), y = dot(d, frame_.axisY), z = dot(d, frame_.axisZ);
-    const double away =
-        std::max({at_.front() - lowCap_ - y, y - at_.back() - highCap_, std::hypot(x, z) - reach_});
+    const double away = std::max({at_.front() - lowCap_ - y, y - at_.back() - highCap_, std::hypot(x, z) - reach_});
     if (away > farAway) return away;
     const Values s = valuesAt(y);
     const double dx = x - s[0], dz = z - s[1];

@@ -7,8 +7,7 @@ namespace toile::cloth {
 
 struct FlexionReport {
     int springs = 0;
-    int dropped =
-        0; ///< bending elements that are no line of three nodes, hinges and twist: springs have none of them
+    int dropped = 0; ///< bending elements that are no line of three nodes, hinges and twist: springs have none of them
 };
 
 /// Puts flexion springs in the place of bending: one from each node's predecessor to its successor on a line.

@@ -11,8 +11,8 @@ namespace toile::cloth {
 
 /// The angle between two triangles (a, b, c) and (b, a, d), as Hinge has it, with its gradient at a, b, c, d.
 struct FoldAngle {
-    double angle = 0;                ///< [rad], in (−π, π]
-    std::array<Vec3, 4> gradient{};  ///< [1/m]; 0 where a triangle has no area
+    double angle = 0;               ///< [rad], in (−π, π]
+    std::array<Vec3, 4> gradient{}; ///< [1/m]; 0 where a triangle has no area
 };
 
 inline FoldAngle foldAngle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -30,6 +30,8 @@ inline FoldAngle foldAngle(const Vec3& a, const Vec3& b, const Vec3& c, const Ve
 }
 
 /// How far an angle is from its rest, the short way round [rad].
-inline double angleFrom(double rest, double angle) { return std::remainder(angle - rest, 2 * std::numbers::pi); }
+inline double angleFrom(double rest, double angle) {
+    return std::remainder(angle - rest, 2 * std::numbers::pi);
+}
 
 } // namespace toile::cloth

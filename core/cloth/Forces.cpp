@@ -87,7 +87,9 @@ ElasticEnergy elasticEnergy(const ClothModel& model, Positions x) {
     return e;
 }
 
-double energy(const ClothModel& model, Positions x) { return elasticEnergy(model, x).total(); }
+double energy(const ClothModel& model, Positions x) {
+    return elasticEnergy(model, x).total();
+}
 
 void addForces(const ClothModel& model, Positions x, std::span<Vec3> forces) {
     expects(x.size() == model.mass.size() && forces.size() == x.size(), "one position and force per particle");

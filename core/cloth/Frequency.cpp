@@ -23,7 +23,8 @@ double steepest(const std::vector<material::TensionPoint>& curve) {
     for (std::size_t i = 0; i < curve.size(); ++i) {
         const double strain = i > 0 ? curve[i - 1].strain : 0, factor = i > 0 ? curve[i - 1].modulusFactor : 1;
         const double run = curve[i].strain - strain;
-        if (run > 0) slope = std::max(slope, curve[i].modulusFactor + curve[i].strain * (curve[i].modulusFactor - factor) / run);
+        if (run > 0)
+            slope = std::max(slope, curve[i].modulusFactor + curve[i].strain * (curve[i].modulusFactor - factor) / run);
     }
     return slope;
 }
@@ -95,7 +96,8 @@ double largestFrequencySquared(const ClothModel& model, std::span<const Vec3> po
     double largest = 0;
     for (std::size_t p = 0; p < rows.size(); ++p) {
         if (held[p] || rows[p] == 0) continue;
-        largest = std::max(largest, model.mass[p] > 0 ? rows[p] / model.mass[p] : std::numeric_limits<double>::infinity());
+        largest =
+            std::max(largest, model.mass[p] > 0 ? rows[p] / model.mass[p] : std::numeric_limits<double>::infinity());
     }
     return largest;
 }

@@ -80,8 +80,7 @@ void addTriangle(const ClothModel& model, const MembraneTriangle& t, Positions x
 }
 
 void addCell(const ClothModel& model, const MembraneCell& c, Positions x, HessianForm form, HessianSink& sink) {
-    const CellSides sides =
-        cellSides(c, {x[c.particles[0]], x[c.particles[1]], x[c.particles[2]], x[c.particles[3]]});
+    const CellSides sides = cellSides(c, {x[c.particles[0]], x[c.particles[1]], x[c.particles[2]], x[c.particles[3]]});
     const auto values = cellHessian(model, c, sides);
     Eigen::Matrix<double, 12, 12> h = Eigen::Map<const Eigen::Matrix<double, 12, 12>>(values.data());
     if (form == HessianForm::projected) project(h);

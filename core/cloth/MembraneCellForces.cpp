@@ -24,8 +24,12 @@ std::array<Side, 4> measured(const ClothModel& model, const MembraneCell& cell, 
     return out;
 }
 
-double modulus(const MembraneCell& cell, int side) { return side < 2 ? cell.stiffness.c11 : cell.stiffness.c22; }
-int across(int side) { return side < 2 ? 2 : 0; } // first of the two sides of the other direction
+double modulus(const MembraneCell& cell, int side) {
+    return side < 2 ? cell.stiffness.c11 : cell.stiffness.c22;
+}
+int across(int side) {
+    return side < 2 ? 2 : 0;
+} // first of the two sides of the other direction
 
 } // namespace
 
@@ -56,8 +60,8 @@ CellSides cellGradient(const ClothModel& model, const MembraneCell& cell, const 
     CellSides gradient;
     for (int i = 0; i < 4; ++i) {
         const int j = across(i);
-        const double tension = 0.5 * modulus(cell, i) * s[i].response.stress +
-                               0.25 * cell.stiffness.c12 * (s[j].strain + s[j + 1].strain);
+        const double tension =
+            0.5 * modulus(cell, i) * s[i].response.stress + 0.25 * cell.stiffness.c12 * (s[j].strain + s[j + 1].strain);
         gradient[i] = area * (tension * s[i].direction + 0.5 * cell.stiffness.c33 * shear * (i < 2 ? xv : xu));
     }
     return gradient;
@@ -84,8 +88,8 @@ std::array<double, 144> cellHessian(const ClothModel& model, const MembraneCell&
                     double value = 0.25 * c.c33 * gi[p] * gj[q];
                     if (i == j) value += along * s[i].direction[p] * s[i].direction[q] + (p == q ? overLength : 0);
                     if (!sameDirection)
-                        value += 0.25 * c.c12 * s[i].direction[p] * s[j].direction[q] +
-                                 (p == q ? 0.25 * c.c33 * shear : 0);
+                        value +=
+                            0.25 * c.c12 * s[i].direction[p] * s[j].direction[q] + (p == q ? 0.25 * c.c33 * shear : 0);
                     at(i, p, j, q) = area * value;
                 }
         }

@@ -64,10 +64,8 @@ public:
     void add(int a, int b, double restLength, double stiffness) {
         if (stiffness == 0) return;
         const auto [it, isNew] = byNodes_.try_emplace(std::minmax(a, b), static_cast<int>(springs_.size()));
-        if (isNew)
-            springs_.push_back({a, b, restLength, stiffness});
-        else
-            springs_[it->second].stiffness += stiffness;
+        if (isNew) springs_.push_back({a, b, restLength, stiffness});
+        else springs_[it->second].stiffness += stiffness;
     }
     void writeTo(std::vector<Spring>& out, std::span<const int> particles) const {
         for (Spring spring : springs_) {
@@ -229,10 +227,8 @@ private:
                 const int particle = patch_.particles[node];
                 expects(particle != out.particle, "a slave is a particle of its own");
                 const auto it = std::ranges::find(out.masters, particle, &std::pair<int, double>::first);
-                if (it != out.masters.end())
-                    it->second += weight;
-                else
-                    out.masters.emplace_back(particle, weight);
+                if (it != out.masters.end()) it->second += weight;
+                else out.masters.emplace_back(particle, weight);
             }
             model_.slaves.push_back(std::move(out));
         }

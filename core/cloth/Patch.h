@@ -74,11 +74,12 @@ struct PatchReport {
 
 /// An edge along which two cells are joined after a merge.
 struct SeamEdge {
-    std::array<int, 4> particles{}; ///< ends a, b; c opposite in the cell where a→b runs counter-clockwise; d in the other
-    double length = 0;              ///< rest length of the edge [m]
+    std::array<int, 4>
+        particles{};   ///< ends a, b; c opposite in the cell where a→b runs counter-clockwise; d in the other
+    double length = 0; ///< rest length of the edge [m]
     double heightC = 0, heightD = 0; ///< rest distance of c and d from the edge [m]
-    double bending = 0;             ///< B across the edge, factor included [N·m]
-    double restAngle = 0;           ///< [rad], see Hinge
+    double bending = 0;              ///< B across the edge, factor included [N·m]
+    double restAngle = 0;            ///< [rad], see Hinge
 };
 
 /// k = B·e²/(A_c + A_d) with the areas of the triangles abc and bad.

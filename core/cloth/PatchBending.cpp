@@ -20,10 +20,8 @@ public:
     void add(int node, double coefficient) {
         if (coefficient == 0) return;
         const auto it = std::ranges::find(terms_, node, &Term::first);
-        if (it != terms_.end())
-            it->second += coefficient;
-        else
-            terms_.emplace_back(node, coefficient);
+        if (it != terms_.end()) it->second += coefficient;
+        else terms_.emplace_back(node, coefficient);
     }
     void add(const Combination& other, double factor) {
         for (const auto& [node, coefficient] : other.terms_) add(node, factor * coefficient);
@@ -93,10 +91,8 @@ public:
     void appendTo(ClothModel& model) {
         for (const PatchEdge& edge : edgesOf(patch_)) {
             if (!edge.isInner()) continue;
-            if (edge.first.rectangle && edge.second.rectangle)
-                addRow(edge);
-            else
-                addHinge(edge);
+            if (edge.first.rectangle && edge.second.rectangle) addRow(edge);
+            else addHinge(edge);
         }
         stencils_.writeTo(model.bending, patch_.particles);
     }
@@ -154,7 +150,8 @@ private:
         return factor * std::max(0.0, material::bendingStiffness(fabric_, fromWarp));
     }
     [[nodiscard]] double factorOf(const EdgeSide& side) const {
-        return side.rectangle ? patch_.rectangles[side.cell].factors.bending : patch_.triangles[side.cell].factors.bending;
+        return side.rectangle ? patch_.rectangles[side.cell].factors.bending
+                              : patch_.triangles[side.cell].factors.bending;
     }
     [[nodiscard]] double extentAcross(const EdgeSide& side) const {
         const auto& nodes = patch_.rectangles[side.cell].nodes;
@@ -204,8 +201,8 @@ bool appendBending(ClothModel& model, const Patch& patch, const material::Fabric
 Hinge seamHinge(const SeamEdge& edge) {
     expects(edge.length > 0 && edge.heightC > 0 && edge.heightD > 0, "a seam edge and its cells have an extent");
     const double areas = 0.5 * edge.length * (edge.heightC + edge.heightD);
-    return {edge.particles[0], edge.particles[1], edge.particles[2], edge.particles[3], edge.restAngle,
-            edge.bending * edge.length * edge.length / areas};
+    return {edge.particles[0], edge.particles[1], edge.particles[2],
+            edge.particles[3], edge.restAngle,    edge.bending * edge.length * edge.length / areas};
 }
 
 void doubleBendingAtClampedRows(ClothModel& model) {

@@ -50,15 +50,15 @@ private:
 
     /// Its masters are a and b, or theirs: two nodes on the two sides of a slit may share a place.
     [[nodiscard]] bool hangsOn(int slave, int a, int b) const {
-        return std::ranges::all_of(patch_.slaves[slave].masters,
-                                   [&](const auto& master) { return stands(master.first, a) || stands(master.first, b); });
+        return std::ranges::all_of(patch_.slaves[slave].masters, [&](const auto& master) {
+            return stands(master.first, a) || stands(master.first, b);
+        });
     }
     [[nodiscard]] bool stands(int master, int node) const {
         if (master == node) return true;
         const auto it = byNode_.find(node);
-        return it != byNode_.end() && std::ranges::any_of(patch_.slaves[it->second].masters, [&](const auto& m) {
-                   return m.first == master;
-               });
+        return it != byNode_.end() &&
+               std::ranges::any_of(patch_.slaves[it->second].masters, [&](const auto& m) { return m.first == master; });
     }
 
     const Patch& patch_;

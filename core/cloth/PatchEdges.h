@@ -10,8 +10,8 @@ namespace toile::cloth {
 /// A cell as seen from one of its edges.
 struct EdgeSide {
     bool rectangle = false;
-    int cell = -1; ///< index into the patch's rectangles or triangles
-    int side = 0;  ///< from corner `side` to the next one, counter-clockwise
+    int cell = -1;           ///< index into the patch's rectangles or triangles
+    int side = 0;            ///< from corner `side` to the next one, counter-clockwise
     double from = 0, to = 1; ///< the part of a rectangle's side that this edge is [–]; less than all beside slaves
 };
 
@@ -19,7 +19,7 @@ struct EdgeSide {
 struct PatchEdge {
     int a = 0, b = 0;
     EdgeSide first;
-    EdgeSide second;         ///< cell −1 at the border of the patch
+    EdgeSide second; ///< cell −1 at the border of the patch
     [[nodiscard]] bool isInner() const { return second.cell >= 0; }
 };
 

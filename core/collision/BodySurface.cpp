@@ -93,9 +93,15 @@ BodySurface::BodySurface(BodySurface&&) noexcept = default;
 BodySurface& BodySurface::operator=(BodySurface&&) noexcept = default;
 BodySurface::~BodySurface() = default;
 
-const geometry::TriangleMesh& BodySurface::mesh() const { return tree_->mesh; }
-const std::vector<Vec3>& BodySurface::bumps() const { return tree_->bumps; }
-bool BodySurface::isClosed() const { return tree_->normals.isClosed(); }
+const geometry::TriangleMesh& BodySurface::mesh() const {
+    return tree_->mesh;
+}
+const std::vector<Vec3>& BodySurface::bumps() const {
+    return tree_->bumps;
+}
+bool BodySurface::isClosed() const {
+    return tree_->normals.isClosed();
+}
 
 std::size_t BodySurface::bytes() const {
     const auto& [vertices, triangles] = tree_->mesh;

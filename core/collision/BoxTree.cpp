@@ -24,7 +24,9 @@ void load(Model& model, const geometry::TriangleMesh& mesh) {
     expects(model.endModel() == fcl::BVH_OK, "FCL builds the tree");
 }
 
-Vec3 fromFcl(const fcl::Vector3<double>& v) { return {v[0], v[1], v[2]}; }
+Vec3 fromFcl(const fcl::Vector3<double>& v) {
+    return {v[0], v[1], v[2]};
+}
 
 } // namespace
 

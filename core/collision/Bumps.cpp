@@ -9,8 +9,7 @@ std::vector<Vec3> bumpsOf(const geometry::TriangleMesh& mesh, double radius) {
     const std::size_t count = mesh.vertices.size();
     std::vector<Vec3> normals(count);
     for (const auto& [a, b, c] : mesh.triangles) {
-        const Vec3 doubledArea =
-            cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
+        const Vec3 doubledArea = cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
         for (const int corner : {a, b, c}) normals[corner] += doubledArea;
     }
     // The curvature along an edge of length d is twice the way that its far end lies below the tangent plane,

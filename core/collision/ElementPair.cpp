@@ -18,12 +18,9 @@ double fractionAlong(const Vec3& p, const Vec3& from, const Vec3& to) {
 std::array<double, 3> coordinatesOf(const TrianglePoint& at, const Vec3& a, const Vec3& b, const Vec3& c) {
     using enum TrianglePart;
     switch (at.part) {
-    case cornerA:
-        return {1, 0, 0};
-    case cornerB:
-        return {0, 1, 0};
-    case cornerC:
-        return {0, 0, 1};
+    case cornerA: return {1, 0, 0};
+    case cornerB: return {0, 1, 0};
+    case cornerC: return {0, 0, 1};
     case edgeAB: {
         const double t = fractionAlong(at.point, a, b);
         return {1 - t, t, 0};
@@ -36,8 +33,7 @@ std::array<double, 3> coordinatesOf(const TrianglePoint& at, const Vec3& a, cons
         const double t = fractionAlong(at.point, c, a);
         return {t, 0, 1 - t};
     }
-    case inside:
-        break;
+    case inside: break;
     }
     const Vec3 normal = cross(b - a, c - a);
     const double whole = squaredLength(normal);
@@ -49,8 +45,7 @@ std::array<double, 3> coordinatesOf(const TrianglePoint& at, const Vec3& a, cons
 std::array<double, 4> cornerAndTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     const double doubledArea = squaredLength(cross(b - a, c - a));
     const bool sliver = !(doubledArea > 1e-24 * squaredLength(b - a) * squaredLength(c - a));
-    const auto [u, v, w] =
-        coordinatesOf(sliver ? closestOnSliver(p, a, b, c) : closestOnTriangle(p, a, b, c), a, b, c);
+    const auto [u, v, w] = coordinatesOf(sliver ? closestOnSliver(p, a, b, c) : closestOnTriangle(p, a, b, c), a, b, c);
     return {1, -u, -v, -w};
 }
 
@@ -75,8 +70,8 @@ std::array<double, 4> edgeAndEdge(const Vec3& p, const Vec3& q, const Vec3& r, c
 Separation separationOf(const ElementPair& pair, std::span<const Vec3> positions) {
     const auto at = [&](int i) -> const Vec3& { return positions[pair.vertices[i]]; };
     Separation found;
-    found.weights = pair.firstCount == 1 ? cornerAndTriangle(at(0), at(1), at(2), at(3))
-                                         : edgeAndEdge(at(0), at(1), at(2), at(3));
+    found.weights =
+        pair.firstCount == 1 ? cornerAndTriangle(at(0), at(1), at(2), at(3)) : edgeAndEdge(at(0), at(1), at(2), at(3));
     for (int i = 0; i < 4; ++i) found.way += found.weights[i] * at(i);
     found.distance = length(found.way);
     return found;

@@ -29,16 +29,13 @@ struct Separation {
 /// How far the two elements are apart along a unit direction that leads from the second to the first [m];
 /// negative when no plane across it has them on different sides. Along the shortest way it is the distance,
 /// and while it stays positive along one direction the elements cannot meet.
-[[nodiscard]] inline double gapAlong(const Vec3& direction, const ElementPair& pair,
-                                     std::span<const Vec3> positions) {
+[[nodiscard]] inline double gapAlong(const Vec3& direction, const ElementPair& pair, std::span<const Vec3> positions) {
     double nearest = dot(direction, positions[pair.vertices[0]]);
     double farthest = dot(direction, positions[pair.vertices[3]]);
     for (int i = 1; i < 3; ++i) {
         const double along = dot(direction, positions[pair.vertices[i]]);
-        if (i < pair.firstCount)
-            nearest = along < nearest ? along : nearest;
-        else
-            farthest = along > farthest ? along : farthest;
+        if (i < pair.firstCount) nearest = along < nearest ? along : nearest;
+        else farthest = along > farthest ? along : farthest;
     }
     return nearest - farthest;
 }

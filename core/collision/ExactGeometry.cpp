@@ -10,14 +10,18 @@ namespace {
 __extension__ using Wide = __int128;
 using WideVector = std::array<Wide, 3>; // 2·41 + 1 bits are used
 
-Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Point difference(const Point& a, const Point& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 
 WideVector crossOf(const Point& a, const Point& b) {
     const auto minor = [&](int i, int j) { return Wide(a[i]) * b[j] - Wide(a[j]) * b[i]; };
     return {minor(1, 2), minor(2, 0), minor(0, 1)};
 }
 
-int signOf(Wide x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+int signOf(Wide x) {
+    return x > 0 ? 1 : x < 0 ? -1 : 0;
+}
 
 /// Sign of the volume of (a, b, c, d): on which side of the plane abc d lies.
 int orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -38,7 +42,9 @@ int turn(const Point& a, const Point& b, const Point& c, int axis) {
     return signOf(crossOf(difference(b, a), difference(c, a))[axis]);
 }
 
-bool between(std::int64_t a, std::int64_t b, std::int64_t x) { return std::min(a, b) <= x && x <= std::max(a, b); }
+bool between(std::int64_t a, std::int64_t b, std::int64_t x) {
+    return std::min(a, b) <= x && x <= std::max(a, b);
+}
 
 bool inBoxOf(const Point& p, const Point& q, const Point& x) {
     return between(p[0], q[0], x[0]) && between(p[1], q[1], x[1]) && between(p[2], q[2], x[2]);
@@ -75,14 +81,14 @@ bool segmentMeetsTriangle(const Point& p, const Point& q, const Triangle& t) {
     if (sideP == 0 && sideQ == 0) return coversInPlane(t, p, axis) || meetsAnEdge(p, q, t);
 
     // the line crosses the plane in one point: is it to the same side of all edges?
-    const int s0 = orientation(p, q, t[0], t[1]), s1 = orientation(p, q, t[1], t[2]), s2 = orientation(p, q, t[2], t[0]);
+    const int s0 = orientation(p, q, t[0], t[1]), s1 = orientation(p, q, t[1], t[2]),
+              s2 = orientation(p, q, t[2], t[0]);
     return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
 }
 
 bool trianglesMeet(const Triangle& a, const Triangle& b) {
     for (int i = 0; i < 3; ++i)
-        if (segmentMeetsTriangle(a[i], a[(i + 1) % 3], b) || segmentMeetsTriangle(b[i], b[(i + 1) % 3], a))
-            return true;
+        if (segmentMeetsTriangle(a[i], a[(i + 1) % 3], b) || segmentMeetsTriangle(b[i], b[(i + 1) % 3], a)) return true;
     return false;
 }
 

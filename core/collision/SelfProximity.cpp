@@ -39,8 +39,7 @@ double approach(const ElementPair& pair, std::span<const Vec3> moves) {
 
 } // namespace
 
-SelfProximity::SelfProximity(std::vector<geometry::TriangleIndices> triangles,
-                             std::span<const Vec3> positions)
+SelfProximity::SelfProximity(std::vector<geometry::TriangleIndices> triangles, std::span<const Vec3> positions)
     : triangles_(std::move(triangles)), represented_(triangles_.size()), vertexBoxes_(positions.size()) {
     findEdges();
     if (triangles_.empty()) return;
@@ -61,8 +60,7 @@ void SelfProximity::findEdges() {
     std::vector<char> spokenFor(vertexBoxes_.size(), 0);
     for (std::size_t t = 0; t < triangles_.size(); ++t)
         for (int k = 0; k < 3; ++k) {
-            const int a = triangles_[t][k], b = triangles_[t][(k + 1) % 3],
-                      across = triangles_[t][(k + 2) % 3];
+            const int a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], across = triangles_[t][(k + 2) % 3];
             if (!spokenFor[a]++) represented_[t].corners[k] = a;
             const auto [at, isNew] =
                 known.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(edges_.size()));
@@ -91,9 +89,9 @@ int SelfProximity::build(std::span<int> triangles, std::span<const Vec3> centres
     const Vec3 extent = high - low;
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     const std::size_t half = triangles.size() / 2;
-    std::ranges::nth_element(
-        triangles, triangles.begin() + static_cast<std::ptrdiff_t>(half),
-        [&](int s, int t) { return std::pair(centres[s][axis], s) < std::pair(centres[t][axis], t); });
+    std::ranges::nth_element(triangles, triangles.begin() + static_cast<std::ptrdiff_t>(half), [&](int s, int t) {
+        return std::pair(centres[s][axis], s) < std::pair(centres[t][axis], t);
+    });
     build(triangles.first(half), centres);
     const int second = build(triangles.subspan(half), centres);
     nodes_[node].second = second;
@@ -116,8 +114,7 @@ void SelfProximity::fit(double margin, std::span<const Vec3> positions, std::spa
         }
         const auto& [a, b, c] = triangles_[node.triangle];
         const Box &boxA = vertexBoxes_[a], &boxB = vertexBoxes_[b], &boxC = vertexBoxes_[c];
-        nodeBoxes_[n] = {lower(lower(boxA.low, boxB.low), boxC.low),
-                         higher(higher(boxA.high, boxB.high), boxC.high)};
+        nodeBoxes_[n] = {lower(lower(boxA.low, boxB.low), boxC.low), higher(higher(boxA.high, boxB.high), boxC.high)};
     }
 }
 
@@ -153,8 +150,7 @@ std::vector<SelfProximity::Near> SelfProximity::pairsWithin(double reach, std::s
     std::vector<Near> found;
     const auto keepIfNear = [&](const ElementPair& pair) {
         const double distance = separationOf(pair, positions).distance;
-        if (distance <= reach + (moves.empty() ? 0 : approach(pair, moves)))
-            found.push_back({pair, distance});
+        if (distance <= reach + (moves.empty() ? 0 : approach(pair, moves))) found.push_back({pair, distance});
     };
     const auto cornersAgainst = [&](int speaker, int node) {
         const auto& corners = triangles_[nodes_[node].triangle];
@@ -209,9 +205,9 @@ std::vector<Piercing> SelfProximity::piercings(std::span<const Vec3> positions) 
 }
 
 std::size_t SelfProximity::bytes() const {
-    return triangles_.capacity() * sizeof(geometry::TriangleIndices) +
-           edges_.capacity() * sizeof(SurfaceEdge) + represented_.capacity() * sizeof(Represented) +
-           nodes_.capacity() * sizeof(Node) + (vertexBoxes_.capacity() + nodeBoxes_.capacity()) * sizeof(Box);
+    return triangles_.capacity() * sizeof(geometry::TriangleIndices) + edges_.capacity() * sizeof(SurfaceEdge) +
+           represented_.capacity() * sizeof(Represented) + nodes_.capacity() * sizeof(Node) +
+           (vertexBoxes_.capacity() + nodeBoxes_.capacity()) * sizeof(Box);
 }
 
 } // namespace toile::collision

@@ -21,8 +21,7 @@ std::vector<int> firstAtPosition(const std::vector<Vec3>& vertices) {
     };
     std::ranges::sort(order, {}, key);
     for (std::size_t k = 0; k < order.size(); ++k) {
-        const bool same = k > 0 && vertices[order[k]] ==
-                                       vertices[order[k - 1]];
+        const bool same = k > 0 && vertices[order[k]] == vertices[order[k - 1]];
         first[order[k]] = same ? first[order[k - 1]] : order[k];
     }
     return first;
@@ -37,7 +36,9 @@ Vec3 faceNormal(const std::array<Vec3, 3>& corner) {
     return length(n) > 1e-10 * longest ? normalized(n) : Vec3{};
 }
 
-double angleBetween(const Vec3& a, const Vec3& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+double angleBetween(const Vec3& a, const Vec3& b) {
+    return std::atan2(length(cross(a, b)), dot(a, b));
+}
 
 Vec3 unitOrZero(const Vec3& v) {
     const double l = length(v);
@@ -63,13 +64,11 @@ SurfaceNormals::SurfaceNormals(const geometry::TriangleMesh& mesh) : faces_(mesh
 
     const auto corners = [&](std::size_t f) {
         const auto& t = mesh.triangles[f];
-        return std::array{first[t[0]], first[t[1]],
-                          first[t[2]]};
+        return std::array{first[t[0]], first[t[1]], first[t[2]]};
     };
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
         const auto v = corners(f);
-        const std::array x{mesh.vertices[v[0]], mesh.vertices[v[1]],
-                           mesh.vertices[v[2]]};
+        const std::array x{mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]};
         const Vec3 normal = faceNormal(x);
         faces_[f][0] = normal;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -32,7 +32,8 @@ public:
     /// Point i is at p. The surface near it, or null when it is farther than reach [m] (0 or more).
     [[nodiscard]] const TangentPlane* near(std::size_t i, const Vec3& p, double reach) {
         if (stillFar(i, p, reach)) return nullptr;
-        if (squaredLength(p - known_[i].at) <= squaredPlaneReach_) return planes_[i].distance(p) <= reach ? &planes_[i] : nullptr;
+        if (squaredLength(p - known_[i].at) <= squaredPlaneReach_)
+            return planes_[i].distance(p) <= reach ? &planes_[i] : nullptr;
         return ask(i, p) <= reach ? &planes_[i] : nullptr;
     }
 
@@ -41,8 +42,8 @@ public:
 
 private:
     struct Known {
-        Vec3 at;                  ///< where it was when the body was asked [m]
-        double distance = 0;      ///< signed, there [m]
+        Vec3 at;             ///< where it was when the body was asked [m]
+        double distance = 0; ///< signed, there [m]
     };
 
     double ask(std::size_t i, const Vec3& p);

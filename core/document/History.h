@@ -35,7 +35,10 @@ public:
     void redo(); ///< without a future: nothing
 
     /// The current value is the one on disk.
-    void markSaved() { saved_ = current(); endMerge(); }
+    void markSaved() {
+        saved_ = current();
+        endMerge();
+    }
     /// The current value differs from the one last saved, or the one it began with.
     [[nodiscard]] bool isModified() const { return !(current() == saved_); }
 

@@ -7,7 +7,11 @@
 namespace toile::document {
 
 std::vector<pattern::Problem> checkScene(const simulation::SceneSettings& scene) {
-    struct Field { const char* path; double value; bool zeroAllowed; };
+    struct Field {
+        const char* path;
+        double value;
+        bool zeroAllowed;
+    };
     const Field fields[] = {
         {"scene.damping", scene.damping, true},           {"scene.skinOffset", scene.skinOffset, true},
         {"scene.bodyFriction", scene.bodyFriction, true}, {"scene.seamTime", scene.seamTime, false},
@@ -20,8 +24,10 @@ std::vector<pattern::Problem> checkScene(const simulation::SceneSettings& scene)
     if (!geometry::isFinite(scene.gravity)) add("scene.gravity", "Gravity must have three finite numbers.");
     for (const Field& f : fields)
         if (!std::isfinite(f.value) || f.value < 0 || (f.value == 0 && !f.zeroAllowed))
-            add(f.path, fmt::format("Expected a number {} 0, but found {}.", f.zeroAllowed ? "of at least" : "above", f.value));
-    if (scene.substeps < 0) add("scene.substeps", fmt::format("Expected 0 or more substeps, but found {}.", scene.substeps));
+            add(f.path,
+                fmt::format("Expected a number {} 0, but found {}.", f.zeroAllowed ? "of at least" : "above", f.value));
+    if (scene.substeps < 0)
+        add("scene.substeps", fmt::format("Expected 0 or more substeps, but found {}.", scene.substeps));
     return problems;
 }
 

@@ -7,7 +7,7 @@ namespace toile::dynamics {
 
 struct AdaptiveSettings {
     ImplicitSettings implicit;
-    double tolerance = 1e-4; ///< of the estimated error of a part's positions, root mean square by mass [m]
+    double tolerance = 1e-4;    ///< of the estimated error of a part's positions, root mean square by mass [m]
     double smallestStep = 1e-6; ///< a part so short is taken whatever its error, with a flag [s]
 };
 

@@ -20,8 +20,7 @@ std::size_t Bdf2::bytes() const {
 Result<StepReport> Bdf2::advance(ParticleState& state, double duration, const Vec3& gravity,
                                  std::span<Stage* const> stages, std::stop_token stop) {
     const ParticleState start = state;
-    const bool goesOn =
-        lastDuration_ > 0 && state.positions == last_.positions && state.velocities == last_.velocities;
+    const bool goesOn = lastDuration_ > 0 && state.positions == last_.positions && state.velocities == last_.velocities;
     StepReport report;
     if (goesOn) {
         const double ratio = duration / lastDuration_, share = ratio * ratio / (1 + 2 * ratio);

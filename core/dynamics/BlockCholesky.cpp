@@ -111,8 +111,7 @@ std::vector<Vec3> BlockCholesky::solve(std::span<const Vec3> b) {
     cholmod_dense* solution = cholmod_solve(CHOLMOD_A, f.factor, right, &f.common);
     expects(solution != nullptr, "memory for a vector");
     std::vector<Vec3> x(b.size());
-    for (std::size_t i = 0; i < n; ++i)
-        x[i / 3][static_cast<int>(i % 3)] = static_cast<double*>(solution->x)[i];
+    for (std::size_t i = 0; i < n; ++i) x[i / 3][static_cast<int>(i % 3)] = static_cast<double*>(solution->x)[i];
     cholmod_free_dense(&right, &f.common);
     cholmod_free_dense(&solution, &f.common);
     return x;

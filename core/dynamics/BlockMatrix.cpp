@@ -66,21 +66,20 @@ bool BlockMatrix::settlePattern() {
     return true;
 }
 
-void BlockMatrix::multiply(std::span<const double> shift, std::span<const Vec3> x,
-                           std::span<Vec3> result) const {
+void BlockMatrix::multiply(std::span<const double> shift, std::span<const Vec3> x, std::span<Vec3> result) const {
     for (std::size_t i = 0; i < x.size(); ++i) result[i] = shift[i] * x[i];
     const double* a = values_.data();
     for (const Key key : pattern_) {
         const int row = rowOf(key), column = columnOf(key);
         const Vec3& right = x[column];
-        result[row] += Vec3{a[0] * right.x + a[1] * right.y + a[2] * right.z,
-                            a[3] * right.x + a[4] * right.y + a[5] * right.z,
-                            a[6] * right.x + a[7] * right.y + a[8] * right.z};
+        result[row] +=
+            Vec3{a[0] * right.x + a[1] * right.y + a[2] * right.z, a[3] * right.x + a[4] * right.y + a[5] * right.z,
+                 a[6] * right.x + a[7] * right.y + a[8] * right.z};
         if (row != column) {
             const Vec3& left = x[row];
-            result[column] += Vec3{a[0] * left.x + a[3] * left.y + a[6] * left.z,
-                                   a[1] * left.x + a[4] * left.y + a[7] * left.z,
-                                   a[2] * left.x + a[5] * left.y + a[8] * left.z};
+            result[column] +=
+                Vec3{a[0] * left.x + a[3] * left.y + a[6] * left.z, a[1] * left.x + a[4] * left.y + a[7] * left.z,
+                     a[2] * left.x + a[5] * left.y + a[8] * left.z};
         }
         a += 9;
     }

@@ -24,16 +24,11 @@ public:
     bool settlePattern();
 
     [[nodiscard]] int blockCount() const { return blocks_; }
-    using Key =
-        std::uint64_t; ///< column in the upper half, row in the lower: keys rise as the columns are stored
+    using Key = std::uint64_t; ///< column in the upper half, row in the lower: keys rise as the columns are stored
     [[nodiscard]] static int rowOf(Key key) { return static_cast<int>(key & 0xffffffffu); }
     [[nodiscard]] static int columnOf(Key key) { return static_cast<int>(key >> 32); }
-    [[nodiscard]] const std::vector<Key>& pattern() const {
-        return pattern_;
-    } ///< rising; all of the diagonal
-    [[nodiscard]] const double* block(std::size_t place) const {
-        return values_.data() + 9 * place;
-    } ///< row-major
+    [[nodiscard]] const std::vector<Key>& pattern() const { return pattern_; } ///< rising; all of the diagonal
+    [[nodiscard]] const double* block(std::size_t place) const { return values_.data() + 9 * place; } ///< row-major
 
     /// result = (A + diag(shift[i]·I))·x. The pattern is settled.
     void multiply(std::span<const double> shift, std::span<const Vec3> x, std::span<Vec3> result) const;

@@ -42,14 +42,12 @@ double boundOf(std::span<const ContactSample> samples, const BodyContactSettings
 
 } // namespace
 
-std::vector<ContactSample> particleSamples(const cloth::ClothModel& model,
-                                           std::span<const double> halfThickness,
+std::vector<ContactSample> particleSamples(const cloth::ClothModel& model, std::span<const double> halfThickness,
                                            std::span<const double> clothFriction, double bodyFriction) {
     std::vector<ContactSample> samples;
     samples.reserve(model.mass.size());
     for (int i = 0; i < model.particleCount(); ++i)
-        samples.push_back(
-            {{{i, 1.0}}, halfThickness[i], std::sqrt(clothFriction[i] * bodyFriction), model.mass[i]});
+        samples.push_back({{{i, 1.0}}, halfThickness[i], std::sqrt(clothFriction[i] * bodyFriction), model.mass[i]});
     for (const cloth::Slave& slave : model.slaves) {
         ContactSample& sample = samples[slave.particle];
         sample.particles = slave.masters;
@@ -65,10 +63,8 @@ ContactSample middleOf(std::span<const ContactSample* const> corners) {
     for (const ContactSample* corner : corners) {
         for (const auto& [particle, weight] : corner->particles) {
             const auto known = std::ranges::find(middle.particles, particle, &std::pair<int, double>::first);
-            if (known != middle.particles.end())
-                known->second += share * weight;
-            else
-                middle.particles.emplace_back(particle, share * weight);
+            if (known != middle.particles.end()) known->second += share * weight;
+            else middle.particles.emplace_back(particle, share * weight);
         }
         middle.halfThickness += share * corner->halfThickness;
         middle.friction += share * corner->friction;
@@ -84,8 +80,8 @@ BodyContact::BodyContact(const collision::BodySurface& body, std::vector<Contact
     for (const ContactSample& given : samples) {
         expects(!given.particles.empty(), "a contact sample lies on particles");
         samples_.push_back({static_cast<int>(terms_.size()), static_cast<int>(given.particles.size()),
-                            settings.skinOffset + given.halfThickness, given.friction,
-                            settings.stiffness * given.mass, 0});
+                            settings.skinOffset + given.halfThickness, given.friction, settings.stiffness * given.mass,
+                            0});
         for (const auto& [particle, weight] : given.particles) terms_.push_back({particle, weight});
     }
     frequencySquared_ = boundOf(samples, settings);
@@ -128,23 +124,21 @@ void BodyContact::project(Substep& substep) {
                 continue;
             }
         }
-        if (const auto* near = tracker_.near(s, now, sample.distance))
-            resolve(sample, *near, now, before, substep);
+        if (const auto* near = tracker_.near(s, now, sample.distance)) resolve(sample, *near, now, before, substep);
     }
 }
 
-void BodyContact::resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now,
-                          const Vec3& before, Substep& substep) const {
+void BodyContact::resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now, const Vec3& before,
+                          Substep& substep) const {
     const double start = plane.distance(before);
-    const double allowed = allowedDistance(start, sample.distance, substep.duration, settings_.pushOutTime,
-                                           settings_.pushOutSpeed);
+    const double allowed =
+        allowedDistance(start, sample.distance, substep.duration, settings_.pushOutTime, settings_.pushOutSpeed);
     const double lift = allowed - plane.distance(now);
     const bool ledOut = sample.distance - start > deepOverlap;
     if (lift <= 0 && !ledOut) return;
 
     double mobility = 0; // [1/kg]
-    for (const Term& term : termsOf(sample))
-        mobility += term.weight * term.weight * substep.inverseMass[term.particle];
+    for (const Term& term : termsOf(sample)) mobility += term.weight * term.weight * substep.inverseMass[term.particle];
     if (mobility == 0) return; // all pinned: the pin wins
 
     Vec3 move = plane.normal * lift;
@@ -152,8 +146,7 @@ void BodyContact::resolve(Sample& sample, const collision::TangentPlane& plane, 
     const double limit = sample.friction * std::max(lift, 0.0), slipped = length(slip);
     if (slipped > 0) move += slip * -std::min(1.0, limit / slipped);
     for (const Term& term : termsOf(sample))
-        substep.positions[term.particle] +=
-            move * (term.weight * substep.inverseMass[term.particle] / mobility);
+        substep.positions[term.particle] += move * (term.weight * substep.inverseMass[term.particle] / mobility);
 
     const double force = std::max(lift, 0.0) / (mobility * substep.duration * substep.duration);
     sample.normalForce -= std::expm1(-substep.duration / forceMemory) * force;

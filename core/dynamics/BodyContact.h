@@ -34,9 +34,9 @@ struct BodyContactSettings {
     double pushOutTime = 0.02;   ///< in which a small overlap falls to 1/e, so that cloth leaves without a jump [s]
     double planeReach = 0.00025; ///< a tangent plane stands for the surface over so short a way [m]
 
-    double stiffness = 2.5e7;    ///< of statics, k per mass of the sample [1/s²]: 500 Pa dent 0.2 mm into 0.1 kg/m²
-    double frictionGive = 1e-4;  ///< way over which statics builds friction up to μN [m]
-    double staticReach = 0.02;   ///< how far ahead statics looks for contact in one iteration [m]
+    double stiffness = 2.5e7;   ///< of statics, k per mass of the sample [1/s²]: 500 Pa dent 0.2 mm into 0.1 kg/m²
+    double frictionGive = 1e-4; ///< way over which statics builds friction up to μN [m]
+    double staticReach = 0.02;  ///< how far ahead statics looks for contact in one iteration [m]
 };
 
 struct ContactReport {
@@ -59,8 +59,8 @@ public:
     void beginStep(const ParticleState& state, double duration) override;
     void project(Substep& substep) override;
 
-    /// Tangent planes and normal forces for the iteration; friction pulls back to anchors: where the samples were at the
-    /// first iteration after a position-based substep, dragged along by what slips in implicit and explicit steps.
+    /// Tangent planes and normal forces for the iteration; friction pulls back to anchors: where the samples were at
+    /// the first iteration after a position-based substep, dragged along by what slips in implicit and explicit steps.
     void beginIteration(std::span<const Vec3> positions) override;
     [[nodiscard]] double energy(std::span<const Vec3> positions) const override;
     void addForces(std::span<const Vec3> positions, std::span<Vec3> forces) const override;
@@ -71,7 +71,9 @@ public:
     /// Asks the body for every sample: for reports, not for every step.
     [[nodiscard]] ContactReport report(std::span<const Vec3> positions) const;
     /// Smallest signed distance of a sample to the body's surface [m].
-    [[nodiscard]] double clearance(std::span<const Vec3> positions) const { return report(positions).smallestClearance; }
+    [[nodiscard]] double clearance(std::span<const Vec3> positions) const {
+        return report(positions).smallestClearance;
+    }
 
 private:
     struct Term {

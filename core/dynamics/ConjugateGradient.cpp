@@ -47,9 +47,8 @@ double largestOf(std::span<const Vec3> v) {
 
 } // namespace
 
-GradientReport conjugateGradient(const BlockMatrix& matrix, std::span<const double> shift,
-                                 std::span<const Vec3> b, double tolerance, int maximumIterations,
-                                 std::vector<Vec3>& x) {
+GradientReport conjugateGradient(const BlockMatrix& matrix, std::span<const double> shift, std::span<const Vec3> b,
+                                 double tolerance, int maximumIterations, std::vector<Vec3>& x) {
     GradientReport report;
     x.assign(b.size(), {});
     const std::vector<Block> inverses = invertedDiagonal(matrix, shift);

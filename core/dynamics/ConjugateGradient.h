@@ -16,7 +16,7 @@ struct GradientReport {
 /// diagonal block, until no |b − (A + shift)x|_i exceeds the tolerance, in the unit of b. Each x on the way
 /// minimises the quadratic over its Krylov space, so that xᵀ(A + shift)x = xᵀb. The pattern of A is settled.
 [[nodiscard]] GradientReport conjugateGradient(const BlockMatrix& matrix, std::span<const double> shift,
-                                               std::span<const Vec3> b, double tolerance,
-                                               int maximumIterations, std::vector<Vec3>& x);
+                                               std::span<const Vec3> b, double tolerance, int maximumIterations,
+                                               std::vector<Vec3>& x);
 
 } // namespace toile::dynamics

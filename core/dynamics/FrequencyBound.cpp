@@ -13,8 +13,7 @@ FrequencyBound::FrequencyBound(const cloth::ClothModel& model) : model_(model) {
 }
 
 double FrequencyBound::largest(std::span<const Vec3> positions, std::span<Stage* const> stages) const {
-    double squared =
-        model_.hinges.empty() ? ofElementsSquared_ : cloth::largestFrequencySquared(model_, positions);
+    double squared = model_.hinges.empty() ? ofElementsSquared_ : cloth::largestFrequencySquared(model_, positions);
     for (const Stage* stage : stages) squared += stage->largestFrequencySquared();
     return std::sqrt(squared);
 }
@@ -24,11 +23,10 @@ Result<int> explicitParts(double duration, double limit, double safety) {
     if (duration <= limit) return 1;
     const double parts = std::ceil(duration / (safety * limit));
     if (!(parts <= most))
-        return fail(
-            ErrorCode::tooLarge,
-            fmt::format("A step of {:.3g} s would take {:.3g} explicit steps of at most {:.3g} s: use an "
-                        "implicit method.",
-                        duration, parts, limit));
+        return fail(ErrorCode::tooLarge,
+                    fmt::format("A step of {:.3g} s would take {:.3g} explicit steps of at most {:.3g} s: use an "
+                                "implicit method.",
+                                duration, parts, limit));
     return static_cast<int>(parts);
 }
 

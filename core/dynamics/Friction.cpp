@@ -14,8 +14,7 @@ double smoothCurvature(double u, double give) {
 
 } // namespace
 
-double allowedDistance(double before, double wanted, double duration, double pushOutTime,
-                       double pushOutSpeed) {
+double allowedDistance(double before, double wanted, double duration, double pushOutTime, double pushOutSpeed) {
     const double overlap = wanted - before;
     if (overlap <= 0) return wanted;
     const double eased = overlap * -std::expm1(-duration / pushOutTime);
@@ -35,8 +34,7 @@ void addOuter(double (&block)[9], const Vec3& a, double factor) {
         for (int c = 0; c < 3; ++c) block[3 * r + c] += factor * a[r] * a[c];
 }
 
-void addFrictionCurvature(double (&block)[9], const Vec3& slip, const Vec3& normal, double limit,
-                          double give) {
+void addFrictionCurvature(double (&block)[9], const Vec3& slip, const Vec3& normal, double limit, double give) {
     const double u = length(slip);
     const double across = limit * smoothSlopeOverLength(u, give);
     for (int axis = 0; axis < 3; ++axis) block[4 * axis] += across;

@@ -25,7 +25,6 @@ namespace toile::dynamics {
 void addOuter(double (&block)[9], const Vec3& a, double factor);
 
 /// ∂²/∂x² of limit·smoothLength(|T x|), positive semi-definite; T projects across the normal, slip = T x.
-void addFrictionCurvature(double (&block)[9], const Vec3& slip, const Vec3& normal, double limit,
-                          double give);
+void addFrictionCurvature(double (&block)[9], const Vec3& slip, const Vec3& normal, double limit, double give);
 
 } // namespace toile::dynamics

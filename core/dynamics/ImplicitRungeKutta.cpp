@@ -57,8 +57,7 @@ ImplicitRungeKutta::ImplicitRungeKutta(const cloth::ClothModel& model, const But
     : Integrator(model), tableau_(tableau), settings_(settings), stage_(model, settings) {}
 
 Result<ImplicitRungeKutta::Step> ImplicitRungeKutta::once(ParticleState& state, double h, const Vec3& gravity,
-                                                          std::span<Stage* const> stages,
-                                                          std::stop_token stop) {
+                                                          std::span<Stage* const> stages, std::stop_token stop) {
     Step step;
     const ParticleState start = state;
     std::vector<std::vector<Vec3>> velocities, accelerations; // slopes of the stages so far
@@ -90,8 +89,7 @@ Result<ImplicitRungeKutta::Step> ImplicitRungeKutta::once(ParticleState& state, 
     eliminated().place(state.positions);
     eliminated().place(state.velocities);
     if (tableau_.difference != decltype(tableau_.difference){})
-        step.difference =
-            combined(std::vector<Vec3>(start.positions.size()), h, tableau_.difference, velocities);
+        step.difference = combined(std::vector<Vec3>(start.positions.size()), h, tableau_.difference, velocities);
     return step;
 }
 

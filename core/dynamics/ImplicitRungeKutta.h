@@ -20,22 +20,18 @@ struct ButcherTableau {
     std::array<double, mostStages> difference{};
 };
 
-[[nodiscard]] const ButcherTableau&
-backwardEuler(); ///< first order, damps what it cannot resolve by 1/√(1 + ω²h²)
-[[nodiscard]] const ButcherTableau&
-implicitMidpoint(); ///< second order, keeps energy, does not damp stiff modes
+[[nodiscard]] const ButcherTableau& backwardEuler(); ///< first order, damps what it cannot resolve by 1/√(1 + ω²h²)
+[[nodiscard]] const ButcherTableau& implicitMidpoint(); ///< second order, keeps energy, does not damp stiff modes
 /// Trapezoid over γh, γ = 2 − √2, then BDF2: second order, L-stable; companion of third order. Ref: Bank et
 /// al. 1985; Hosea, Shampine 1996
 [[nodiscard]] const ButcherTableau& trBdf2();
-[[nodiscard]] const ButcherTableau&
-sdirk4(); ///< five stages, fourth order, L-stable. Ref: Hairer, Wanner 1996, IV.6
+[[nodiscard]] const ButcherTableau& sdirk4(); ///< five stages, fourth order, L-stable. Ref: Hairer, Wanner 1996, IV.6
 
 /// All the implicit one-step methods. A step whose stages are not solved is halved, and at last taken with a
 /// flag.
 class ImplicitRungeKutta : public Integrator {
 public:
-    ImplicitRungeKutta(const cloth::ClothModel& model, const ButcherTableau& tableau,
-                       ImplicitSettings settings = {});
+    ImplicitRungeKutta(const cloth::ClothModel& model, const ButcherTableau& tableau, ImplicitSettings settings = {});
 
     [[nodiscard]] std::string_view name() const override { return tableau_.name; }
     [[nodiscard]] std::size_t bytes() const override { return stage_.bytes(); }
@@ -46,8 +42,8 @@ protected:
         std::vector<Vec3> difference; ///< of the position from the companion's [m]; empty without companion
     };
     /// One step as it is, solved or not.
-    [[nodiscard]] Result<Step> once(ParticleState& state, double h, const Vec3& gravity,
-                                    std::span<Stage* const> stages, std::stop_token stop);
+    [[nodiscard]] Result<Step> once(ParticleState& state, double h, const Vec3& gravity, std::span<Stage* const> stages,
+                                    std::stop_token stop);
     [[nodiscard]] Result<StepReport> advance(ParticleState& state, double duration, const Vec3& gravity,
                                              std::span<Stage* const> stages, std::stop_token stop) override;
 

@@ -52,8 +52,7 @@ Result<void> ImplicitStage::solve(ParticleState& state, const Known& known, cons
 Result<void> ImplicitStage::solveLinearised(ParticleState& state, const Known& known, const Vec3& gravity,
                                             std::span<Stage* const> stages, StepReport& report) {
     const std::vector<Vec3> target = targetOf(known);
-    const auto newton =
-        minimiser_.iterateOnce(state.positions, {gravity, stages, inertiaOf(known.span), target});
+    const auto newton = minimiser_.iterateOnce(state.positions, {gravity, stages, inertiaOf(known.span), target});
     if (!newton) return tl::unexpected(newton.error());
     takeVelocities(state, known);
     report.newtonIterations += 1;

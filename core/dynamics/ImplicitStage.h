@@ -7,12 +7,11 @@
 namespace toile::dynamics {
 
 struct ImplicitSettings {
-    double damping = 0;         ///< mass-proportional [1/s]
-    double tolerance = 1e-4;    ///< largest unsolved force of a stage over the mean particle weight [–]
-    int maximumIterations = 60; ///< Newton iterations of a stage; then the step is halved
-    int gradientIterations =
-        200;          ///< of conjugate gradients in a solve, before the factor takes over; 0 = factor only
-    int halvings = 6; ///< of a step whose stages are not solved; after that it is accepted with a flag
+    double damping = 0;           ///< mass-proportional [1/s]
+    double tolerance = 1e-4;      ///< largest unsolved force of a stage over the mean particle weight [–]
+    int maximumIterations = 60;   ///< Newton iterations of a stage; then the step is halved
+    int gradientIterations = 200; ///< of conjugate gradients in a solve, before the factor takes over; 0 = factor only
+    int halvings = 6;             ///< of a step whose stages are not solved; after that it is accepted with a flag
 };
 
 /// The one equation of all implicit methods: find X with velocity V = (X − X*)/s where V = V* + s·(a(X) −
@@ -31,8 +30,7 @@ public:
     /// beside stages the start is: contact must see the way. Adds to the report; not solved → report.accurate
     /// = false.
     [[nodiscard]] Result<void> solve(ParticleState& state, const Known& known, const Vec3& gravity,
-                                     std::span<Stage* const> stages, std::stop_token stop,
-                                     StepReport& report);
+                                     std::span<Stage* const> stages, std::stop_token stop, StepReport& report);
     /// One Newton iteration from the start with a full step: the linearised equation.
     [[nodiscard]] Result<void> solveLinearised(ParticleState& state, const Known& known, const Vec3& gravity,
                                                std::span<Stage* const> stages, StepReport& report);

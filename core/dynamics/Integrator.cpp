@@ -41,16 +41,15 @@ Result<StepReport> Integrator::step(ParticleState& state, double duration, const
                                     std::span<Stage* const> stages, std::stop_token stop) {
     expects(state.positions.size() == model_.mass.size(), "one position per particle");
     if (!(duration > 0 && duration <= longestStep))
-        return fail(ErrorCode::invalidInput,
-                    fmt::format("A step of {} s cannot be made: give one above 0 and up to {} s.", duration,
-                                longestStep));
+        return fail(
+            ErrorCode::invalidInput,
+            fmt::format("A step of {} s cannot be made: give one above 0 and up to {} s.", duration, longestStep));
     state.velocities.resize(state.positions.size());
     if (const int particle = notFinite(state); particle >= 0)
         return fail(
             ErrorCode::invalidInput,
-            fmt::format(
-                "Particle {} has a position or velocity that is no number before the step from {:.4f} s.",
-                particle, state.time));
+            fmt::format("Particle {} has a position or velocity that is no number before the step from {:.4f} s.",
+                        particle, state.time));
     if (eliminated_.massless() >= 0)
         return fail(ErrorCode::invalidInput, fmt::format("Particle {} has no mass.", eliminated_.massless()));
     if (stop.stop_requested()) return fail(ErrorCode::cancelled, "The step was stopped.");
@@ -63,19 +62,17 @@ Result<StepReport> Integrator::step(ParticleState& state, double duration, const
     }
     if (const int particle = notFinite(state); particle >= 0) {
         state = start;
-        return fail(
-            ErrorCode::notConverged,
-            fmt::format(
-                "Particle {} has a position or velocity that is no number after the step from {:.4f} s "
-                "by {}.",
-                particle, start.time, name()));
+        return fail(ErrorCode::notConverged,
+                    fmt::format("Particle {} has a position or velocity that is no number after the step from {:.4f} s "
+                                "by {}.",
+                                particle, start.time, name()));
     }
     state.time = start.time + duration;
     return report;
 }
 
-void Integrator::accelerationsAt(std::span<const Vec3> positions, const Vec3& gravity,
-                                 std::span<Stage* const> stages, std::vector<Vec3>& accelerations) {
+void Integrator::accelerationsAt(std::span<const Vec3> positions, const Vec3& gravity, std::span<Stage* const> stages,
+                                 std::vector<Vec3>& accelerations) {
     forces_.assign(positions.size(), {});
     cloth::addForces(model_, positions, forces_);
     for (Stage* stage : stages) {

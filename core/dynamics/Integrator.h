@@ -21,8 +21,8 @@ struct StepReport {
     int factorizations = 0;     ///< direct ones
     int gradientIterations = 0; ///< of conjugate gradients
     int repeated = 0;           ///< parts that failed and were made again, smaller
-    bool accurate = true; ///< false: a part at the smallest step missed its tolerance and was taken as it was
-    double residual = 0;  ///< largest unsolved force of a part over the mean particle weight [–]
+    bool accurate = true;       ///< false: a part at the smallest step missed its tolerance and was taken as it was
+    double residual = 0;        ///< largest unsolved force of a part over the mean particle weight [–]
 
     StepReport& operator+=(const StepReport& more);
 };
@@ -53,9 +53,8 @@ protected:
     Integrator& operator=(const Integrator&) = delete;
 
     /// The state is sound, and duration as promised; time is kept by the caller.
-    [[nodiscard]] virtual Result<StepReport> advance(ParticleState& state, double duration,
-                                                     const Vec3& gravity, std::span<Stage* const> stages,
-                                                     std::stop_token stop) = 0;
+    [[nodiscard]] virtual Result<StepReport> advance(ParticleState& state, double duration, const Vec3& gravity,
+                                                     std::span<Stage* const> stages, std::stop_token stop) = 0;
 
     /// M⁻¹(cloth + stages) + gravity of free particles, 0 for the others. Stages look at the positions first.
     void accelerationsAt(std::span<const Vec3> positions, const Vec3& gravity, std::span<Stage* const> stages,

@@ -16,16 +16,15 @@
 namespace toile::dynamics {
 namespace {
 
-constexpr std::array<std::pair<Method, std::string_view>, 9> names{
-    {{Method::xpbd, "xpbd"},
-     {Method::trBdf2, "trbdf2"},
-     {Method::backwardEuler, "backward-euler"},
-     {Method::bdf2, "bdf2"},
-     {Method::midpoint, "midpoint"},
-     {Method::sdirk4, "sdirk4"},
-     {Method::rk4, "rk4"},
-     {Method::symplecticEuler, "symplectic-euler"},
-     {Method::baraffWitkin, "baraff-witkin"}}};
+constexpr std::array<std::pair<Method, std::string_view>, 9> names{{{Method::xpbd, "xpbd"},
+                                                                    {Method::trBdf2, "trbdf2"},
+                                                                    {Method::backwardEuler, "backward-euler"},
+                                                                    {Method::bdf2, "bdf2"},
+                                                                    {Method::midpoint, "midpoint"},
+                                                                    {Method::sdirk4, "sdirk4"},
+                                                                    {Method::rk4, "rk4"},
+                                                                    {Method::symplecticEuler, "symplectic-euler"},
+                                                                    {Method::baraffWitkin, "baraff-witkin"}}};
 
 } // namespace
 
@@ -66,20 +65,14 @@ std::unique_ptr<Integrator> makeIntegrator(Method method, const cloth::ClothMode
         if (settings.positionTolerance == 0) return rungeKutta(trBdf2());
         return std::make_unique<AdaptiveTrBdf2>(
             model, AdaptiveSettings{.implicit = implicit, .tolerance = settings.positionTolerance});
-    case Method::backwardEuler:
-        return rungeKutta(backwardEuler());
-    case Method::bdf2:
-        return std::make_unique<Bdf2>(model, implicit);
-    case Method::midpoint:
-        return rungeKutta(implicitMidpoint());
-    case Method::sdirk4:
-        return rungeKutta(sdirk4());
-    case Method::rk4:
-        return std::make_unique<RungeKutta4>(model, RungeKutta4Settings{.damping = settings.damping});
+    case Method::backwardEuler: return rungeKutta(backwardEuler());
+    case Method::bdf2: return std::make_unique<Bdf2>(model, implicit);
+    case Method::midpoint: return rungeKutta(implicitMidpoint());
+    case Method::sdirk4: return rungeKutta(sdirk4());
+    case Method::rk4: return std::make_unique<RungeKutta4>(model, RungeKutta4Settings{.damping = settings.damping});
     case Method::symplecticEuler:
         return std::make_unique<SymplecticEuler>(model, SymplecticEulerSettings{.damping = settings.damping});
-    case Method::baraffWitkin:
-        return std::make_unique<BaraffWitkin>(model, implicit);
+    case Method::baraffWitkin: return std::make_unique<BaraffWitkin>(model, implicit);
     }
     expects(false, "a method without an integrator");
     return nullptr;

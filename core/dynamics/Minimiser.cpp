@@ -19,8 +19,7 @@ constexpr double standardGravity = 9.81; ///< [m/s²]; scale of residuals where 
 /// Hands blocks of particles to the unknowns that move them.
 class EliminatingSink : public HessianSink {
 public:
-    EliminatingSink(const Eliminated& eliminated, HessianSink& target)
-        : eliminated_(eliminated), target_(target) {}
+    EliminatingSink(const Eliminated& eliminated, HessianSink& target) : eliminated_(eliminated), target_(target) {}
 
     void add(int i, int j, const double (&block)[9]) override {
         for (const auto& [row, rowWeight] : eliminated_.termsOf(i))
@@ -65,8 +64,7 @@ struct Minimiser::Data {
         expects(positions.size() == model.mass.size(), "one position per particle");
         expects(problem.inertia == 0 || problem.target.size() == positions.size(), "inertia needs a target");
         if (eliminated.massless() >= 0)
-            return fail(ErrorCode::invalidInput,
-                        fmt::format("Particle {} has no mass.", eliminated.massless()));
+            return fail(ErrorCode::invalidInput, fmt::format("Particle {} has no mass.", eliminated.massless()));
         eliminated.place(positions);
         analyses = solver.analyses();
         factorizations = solver.factorizations();
@@ -102,11 +100,11 @@ namespace {
 /// One run: the function Φ, and the state of the iteration.
 class Run {
 public:
-    Run(const cloth::ClothModel& model, const Eliminated& eliminated, std::span<const double> mass,
-        BlockSolver& solver, const MinimiserSettings& settings, const MinimiserProblem& problem)
+    Run(const cloth::ClothModel& model, const Eliminated& eliminated, std::span<const double> mass, BlockSolver& solver,
+        const MinimiserSettings& settings, const MinimiserProblem& problem)
         : model_(model), eliminated_(eliminated), mass_(mass), solver_(solver), settings_(settings),
-          gravity_(problem.gravity), stages_(problem.stages), inertia_(problem.inertia),
-          target_(problem.target), levenberg_(inertia_ > 0 ? inertia_ : settings.initialInertia),
+          gravity_(problem.gravity), stages_(problem.stages), inertia_(problem.inertia), target_(problem.target),
+          levenberg_(inertia_ > 0 ? inertia_ : settings.initialInertia),
           shift_(inertia_ > 0 ? 0 : settings.initialInertia) {}
 
     Result<MinimiserReport> minimise(std::span<Vec3> x, std::stop_token stop, const Progress& progress);
@@ -129,10 +127,8 @@ private:
     [[nodiscard]] Step stepAt(std::span<const Vec3> x, std::span<const Vec3> forces, double tolerance,
                               MinimiserIteration& log);
     [[nodiscard]] Step solved(std::span<const Vec3> forces, double tolerance);
-    [[nodiscard]] bool advance(std::span<Vec3> x, const Measured& now, std::vector<Vec3> step,
-                               MinimiserIteration& log);
-    void moveTo(std::span<Vec3> x, std::span<const Vec3> from, std::span<const Vec3> step,
-                double fraction) const;
+    [[nodiscard]] bool advance(std::span<Vec3> x, const Measured& now, std::vector<Vec3> step, MinimiserIteration& log);
+    void moveTo(std::span<Vec3> x, std::span<const Vec3> from, std::span<const Vec3> step, double fraction) const;
     void adaptShift(double energyNow);
 
     const cloth::ClothModel& model_;
@@ -248,8 +244,7 @@ Run::Step Run::stepAt(std::span<const Vec3> x, std::span<const Vec3> forces, dou
     return std::nullopt;
 }
 
-void Run::moveTo(std::span<Vec3> x, std::span<const Vec3> from, std::span<const Vec3> step,
-                 double fraction) const {
+void Run::moveTo(std::span<Vec3> x, std::span<const Vec3> from, std::span<const Vec3> step, double fraction) const {
     for (std::size_t u = 0; u < step.size(); ++u) {
         const int p = eliminated_.free()[u];
         x[p] = from[p] + fraction * step[u];
@@ -264,12 +259,9 @@ void Run::adaptShift(double energyNow) {
     last_.taken = false;
     const double surprise = energyNow - last_.energy, gain = (last_.gain - surprise) / last_.expected;
     const double least = 1e-4 * levenberg_;
-    if (surprise > 2 * last_.expected)
-        shift_ = std::max(16 * shift_, least);
-    else if (gain < 0.25 || last_.cuts > 1)
-        shift_ = std::max(4 * shift_, least);
-    else if (gain > 0.75 && last_.cuts == 0)
-        shift_ = shift_ > 1e-2 * least ? shift_ / 8 : 0;
+    if (surprise > 2 * last_.expected) shift_ = std::max(16 * shift_, least);
+    else if (gain < 0.25 || last_.cuts > 1) shift_ = std::max(4 * shift_, least);
+    else if (gain > 0.75 && last_.cuts == 0) shift_ = shift_ > 1e-2 * least ? shift_ / 8 : 0;
 }
 
 /// Armijo line search along the step, against the worst Φ of the last iterations: stiff cloth turns on curved
@@ -293,8 +285,7 @@ bool Run::advance(std::span<Vec3> x, const Measured& now, std::vector<Vec3> step
         moveTo(x, from, step, fraction);
         const double energy = energyAt(x), gain = now.energy - energy;
         const bool better = gain + slack >= -1e-4 * fraction * slope;
-        const bool equal =
-            std::isfinite(energy) && std::abs(gain) <= rounding && measuredAt(x).largest < now.largest;
+        const bool equal = std::isfinite(energy) && std::abs(gain) <= rounding && measuredAt(x).largest < now.largest;
         if (!better && !equal) continue;
         climbed_.push_back(climbed_.back() - gain);
         if (static_cast<int>(climbed_.size()) > settings_.memory) climbed_.erase(climbed_.begin());
@@ -324,9 +315,8 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, c
         for (Stage* stage : stages_) stage->beginIteration(x);
         const Measured now = measuredAt(x);
         if (!allFinite(now.forces) || !std::isfinite(now.energy))
-            return fail(ErrorCode::notConverged,
-                        fmt::format("The force on particle {} is no number in iteration {}.", now.worst,
-                                    out.iterations));
+            return fail(ErrorCode::notConverged, fmt::format("The force on particle {} is no number in iteration {}.",
+                                                             now.worst, out.iterations));
         adaptShift(now.energy);
         const double residual = now.largest / scale;
         if (residual < bestResidual) {
@@ -338,8 +328,7 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, c
         if (out.iterations == settings_.maximumIterations || failures > 10) break;
         if (out.iterations == 0) firstResidual = residual;
         if (inertia_ == 0)
-            report(progress,
-                   std::clamp(std::log(firstResidual / residual) / std::log(firstResidual / goal), 0.0, 1.0),
+            report(progress, std::clamp(std::log(firstResidual / residual) / std::log(firstResidual / goal), 0.0, 1.0),
                    "Finding the equilibrium");
         MinimiserIteration log{.energy = now.energy, .residual = residual};
         // Conjugate gradients need not know the step better than the step knows the minimum.
@@ -347,9 +336,7 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, c
         const double tolerance = std::max(forcing * now.largest, 0.1 * goal * scale);
         lastResidual = residual;
         Step step = stepAt(x, now.forces, tolerance, log);
-        if (!step)
-            return fail(ErrorCode::notConverged,
-                        "The stiffness matrix is singular: nothing holds the cloth.");
+        if (!step) return fail(ErrorCode::notConverged, "The stiffness matrix is singular: nothing holds the cloth.");
         log.inertia = inertia_ + shift_;
         if (allFinite(*step) && advance(x, now, std::move(*step), log)) {
             failures = 0;
@@ -369,12 +356,10 @@ Result<void> Run::iterateOnce(std::span<Vec3> x) {
     for (Stage* stage : stages_) stage->beginIteration(x);
     const Measured now = measuredAt(x);
     if (!allFinite(now.forces))
-        return fail(ErrorCode::notConverged,
-                    fmt::format("The force on particle {} is no number.", now.worst));
+        return fail(ErrorCode::notConverged, fmt::format("The force on particle {} is no number.", now.worst));
     assemble(x, cloth::HessianForm::projected);
     const Step step = solved(now.forces, std::min(1e-6 * now.largest, settings_.tolerance * forceScale()));
-    if (!step)
-        return fail(ErrorCode::notConverged, "The stiffness matrix is singular: nothing holds the cloth.");
+    if (!step) return fail(ErrorCode::notConverged, "The stiffness matrix is singular: nothing holds the cloth.");
     moveTo(x, std::vector<Vec3>(x.begin(), x.end()), *step, 1);
     return {};
 }

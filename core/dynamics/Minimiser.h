@@ -16,13 +16,11 @@ namespace toile::dynamics {
 struct MinimiserSettings {
     double tolerance = 1e-3; ///< largest force over mean particle weight [–]
     int maximumIterations = 300;
-    int memory = 6;            ///< iterations whose worst energy a step may not exceed; 1 = always descend
-    double maximumMove = 0.02; ///< of any particle in one iteration [m]: as far as contact sees ahead.
-                               ///< Implicit steps without stages go as far as they like
-    double initialInertia =
-        100; ///< first Levenberg weight c of ½c|Δx|²_M [1/s²]; falls towards 0. Statics only
-    int gradientIterations =
-        0; ///< of conjugate gradients at most, before the factor takes over; 0 = factor only
+    int memory = 6;              ///< iterations whose worst energy a step may not exceed; 1 = always descend
+    double maximumMove = 0.02;   ///< of any particle in one iteration [m]: as far as contact sees ahead.
+                                 ///< Implicit steps without stages go as far as they like
+    double initialInertia = 100; ///< first Levenberg weight c of ½c|Δx|²_M [1/s²]; falls towards 0. Statics only
+    int gradientIterations = 0;  ///< of conjugate gradients at most, before the factor takes over; 0 = factor only
 };
 
 /// Φ(x) = ½c|x − y|²_M + E(x) − Σ m g·x plus the energies of the stages.
@@ -45,10 +43,9 @@ struct MinimiserIteration {
 
 struct MinimiserReport {
     bool converged = false;
-    double residual = 0; ///< at the end, over mean particle weight [–]
-    double residualFloor =
-        0; ///< what rounding allows: 8·eps·(k_max + c·m_max)·L over mean particle weight [–]
-    int worstParticle = -1; ///< where the residual is largest
+    double residual = 0;      ///< at the end, over mean particle weight [–]
+    double residualFloor = 0; ///< what rounding allows: 8·eps·(k_max + c·m_max)·L over mean particle weight [–]
+    int worstParticle = -1;   ///< where the residual is largest
     int iterations = 0, factorizations = 0, analyses = 0;
     int gradientIterations = 0; ///< of conjugate gradients
     std::vector<MinimiserIteration> log;
@@ -71,11 +68,9 @@ public:
     [[nodiscard]] Result<MinimiserReport> minimise(std::span<Vec3> positions, const MinimiserProblem& problem,
                                                    std::stop_token stop = {}, const Progress& progress = {});
     /// One full Newton step with the projected Hessian, wherever it leads.
-    [[nodiscard]] Result<MinimiserReport> iterateOnce(std::span<Vec3> positions,
-                                                      const MinimiserProblem& problem);
+    [[nodiscard]] Result<MinimiserReport> iterateOnce(std::span<Vec3> positions, const MinimiserProblem& problem);
     /// Replaces positions by the others if Φ is lower there; pinned particles stay.
-    void takeBetter(std::span<Vec3> positions, std::span<const Vec3> others,
-                    const MinimiserProblem& problem) const;
+    void takeBetter(std::span<Vec3> positions, std::span<const Vec3> others, const MinimiserProblem& problem) const;
     /// (H + cM)⁻¹ cM d with the last Hessian of a minimisation: what is left of a change that the cloth
     /// resists. d itself when none was needed. Written to free particles; the others get 0.
     [[nodiscard]] std::vector<Vec3> resisted(std::span<const Vec3> change, double inertia);

@@ -7,7 +7,7 @@
 namespace toile::dynamics {
 
 struct RungeKutta4Settings {
-    double damping = 0; ///< mass-proportional [1/s]
+    double damping = 0;  ///< mass-proportional [1/s]
     double safety = 0.6; ///< of the limit 2√2/ω_max [–]: there its time error is far below every other error
 };
 

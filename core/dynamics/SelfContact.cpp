@@ -64,17 +64,16 @@ SelfContact::SelfContact(const cloth::ClothModel& model, ClothSurface surface, S
         const cloth::Slave& slave = model.slaves[s];
         slaveOf_[slave.particle] = static_cast<int>(s);
         mass_[slave.particle] = 0;
-        for (const auto& [master, weight] : slave.masters)
-            mass_[slave.particle] += weight * model.mass[master];
+        for (const auto& [master, weight] : slave.masters) mass_[slave.particle] += weight * model.mass[master];
     }
     for (const double half : surface_.halfThickness) thickest_ = std::max(thickest_, 2 * half);
 }
 
 std::size_t SelfContact::bytes() const {
-    const std::size_t vectors = from_.capacity() + moves_.capacity() + wanted_.capacity() +
-                                anchors_.capacity() + iterationStart_.capacity();
-    return vectors * sizeof(Vec3) + watches_.capacity() * sizeof(Watch) +
-           contacts_.capacity() * sizeof(Contact) + (proximity_ ? proximity_->bytes() : 0);
+    const std::size_t vectors =
+        from_.capacity() + moves_.capacity() + wanted_.capacity() + anchors_.capacity() + iterationStart_.capacity();
+    return vectors * sizeof(Vec3) + watches_.capacity() * sizeof(Watch) + contacts_.capacity() * sizeof(Contact) +
+           (proximity_ ? proximity_->bytes() : 0);
 }
 
 // ---- Which pairs are near
@@ -82,8 +81,7 @@ std::size_t SelfContact::bytes() const {
 
 void SelfContact::beginStep(const ParticleState&, double duration) {
     frame_ = duration;
-    if (mayPierce_ || !anchors_.empty())
-        from_.clear(); // layers cross, or statics has been at work: look again
+    if (mayPierce_ || !anchors_.empty()) from_.clear(); // layers cross, or statics has been at work: look again
     anchors_.clear();
 }
 
@@ -91,8 +89,7 @@ double SelfContact::targetOf(const ElementPair& pair) const {
     const auto& v = pair.vertices;
     const auto half = [&](int i) { return surface_.halfThickness[v[i]]; };
     double room = infinity;
-    if (pair.firstCount == 1)
-        room = surface_.room[v[0]];
+    if (pair.firstCount == 1) room = surface_.room[v[0]];
     else
         for (const int p : v) room = std::min(room, surface_.room[p]);
     const double thickness = pair.firstCount == 1 ? half(0) + std::max({half(1), half(2), half(3)})
@@ -134,12 +131,10 @@ void SelfContact::search(double reach, std::span<const Vec3> positions, std::spa
     watches_.clear();
     contacts_.clear();
     for (const auto& [pair, distance] : proximity_->pairsWithin(reach, positions, moves)) {
-        if (std::ranges::all_of(pair.vertices, [&](int p) { return crossed[p]; }) || isIgnored(pair))
-            continue;
+        if (std::ranges::all_of(pair.vertices, [&](int p) { return crossed[p]; }) || isIgnored(pair)) continue;
         watches_.push_back({pair, targetOf(pair), distance, distance, distance});
         contacts_.push_back(contactOf(pair));
-        if (const auto known = pressed.find(pair); known != pressed.end())
-            contacts_.back().normalForce = known->second;
+        if (const auto known = pressed.find(pair); known != pressed.end()) contacts_.back().normalForce = known->second;
     }
     from_.assign(positions.begin(), positions.end());
     ++searches_;
@@ -189,10 +184,10 @@ double SelfContact::leastDistance(const Watch& watch, std::span<const Vec3> posi
     const auto& v = watch.elements.vertices;
     const auto moved = [&](int i) { return positions[v[i]] - from_[v[i]]; };
     const Vec3 a = moved(0), b = moved(1), c = moved(2), d = moved(3);
-    const double squared = watch.elements.firstCount == 1
-                               ? std::max({squaredLength(a - b), squaredLength(a - c), squaredLength(a - d)})
-                               : std::max({squaredLength(a - c), squaredLength(a - d), squaredLength(b - c),
-                                           squaredLength(b - d)});
+    const double squared =
+        watch.elements.firstCount == 1
+            ? std::max({squaredLength(a - b), squaredLength(a - c), squaredLength(a - d)})
+            : std::max({squaredLength(a - c), squaredLength(a - d), squaredLength(b - c), squaredLength(b - d)});
     return watch.known - std::sqrt(squared);
 }
 
@@ -254,8 +249,7 @@ bool SelfContact::meetsOnTheWay(const Watch& watch, Contact& contact, const Subs
     const Contact end = contact;
     look(watch, contact, substep.previous);
     if (contact.start <= noDistance) return false;
-    if (end.start <= noDistance ||
-        gapAlong(end.direction, watch.elements, substep.previous) < clearly * contact.start)
+    if (end.start <= noDistance || gapAlong(end.direction, watch.elements, substep.previous) < clearly * contact.start)
         return true;
     contact.direction = end.direction;
     contact.weights = end.weights;
@@ -271,8 +265,8 @@ void SelfContact::push(const Watch& watch, Contact& contact, Substep& substep) c
         slip += contact.weights[i] * (substep.positions[v[i]] - substep.previous[v[i]]);
         mobility += contact.weights[i] * contact.weights[i] * substep.inverseMass[v[i]];
     }
-    const double allowed = allowedDistance(contact.start, watch.target, substep.duration,
-                                           settings_.pushOutTime, settings_.pushOutSpeed);
+    const double allowed =
+        allowedDistance(contact.start, watch.target, substep.duration, settings_.pushOutTime, settings_.pushOutSpeed);
     const double lift = allowed - dot(way, contact.direction);
     if (lift <= 0 || mobility == 0) return;
     Vec3 correction = contact.direction * lift;
@@ -377,13 +371,11 @@ double SelfContact::keptOf(double start) const {
 bool SelfContact::isSeparated(const Watch& watch, Contact& contact, const Substep& substep) const {
     const auto along = [&](const Vec3& direction) {
         const double start = gapAlong(direction, watch.elements, substep.previous);
-        return start > 0 &&
-               gapAlong(direction, watch.elements, substep.positions) >= justEnough * keptOf(start);
+        return start > 0 && gapAlong(direction, watch.elements, substep.positions) >= justEnough * keptOf(start);
     };
     if (along(contact.direction)) return true;
     look(watch, contact, substep.previous);
-    return contact.start <= noDistance ||
-           along(contact.direction); // what has no distance is crossed, and not held
+    return contact.start <= noDistance || along(contact.direction); // what has no distance is crossed, and not held
 }
 
 /// Neither element crosses a plane of its own between them.
@@ -400,8 +392,7 @@ void SelfContact::shorten(const Watch& watch, const Contact& contact, Substep& s
         const double from = dot(contact.direction, substep.previous[v[i]]),
                      to = dot(contact.direction, substep.positions[v[i]]);
         if (isFirst ? to < plane : to > plane)
-            goPartOfTheWay(v[i], fraction_[v[i]] * std::clamp((from - plane) / (from - to), 0.0, 1.0),
-                           substep);
+            goPartOfTheWay(v[i], fraction_[v[i]] * std::clamp((from - plane) / (from - to), 0.0, 1.0), substep);
     }
 }
 
@@ -512,8 +503,8 @@ void SelfContact::addForces(std::span<const Vec3> positions, std::span<Vec3> for
         }
         if (contact.normalForce == 0) continue;
         const Vec3 slip = slipOf(i, positions);
-        const double drag = contact.friction * contact.normalForce *
-                            smoothSlopeOverLength(length(slip), settings_.frictionGive);
+        const double drag =
+            contact.friction * contact.normalForce * smoothSlopeOverLength(length(slip), settings_.frictionGive);
         for (int k = 0; k < 4; ++k) forces[v[k]] -= (contact.weights[k] * drag) * slip;
     }
 }
@@ -540,8 +531,8 @@ void SelfContact::addHessian(std::span<const Vec3> positions, HessianSink& sink)
         }
         if (contact.normalForce == 0) continue;
         double rubbed[9] = {};
-        addFrictionCurvature(rubbed, slipOf(i, positions), contact.direction,
-                             contact.friction * contact.normalForce, settings_.frictionGive);
+        addFrictionCurvature(rubbed, slipOf(i, positions), contact.direction, contact.friction * contact.normalForce,
+                             settings_.frictionGive);
         add(watch, contact.weights, rubbed);
     }
 }

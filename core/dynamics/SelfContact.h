@@ -19,21 +19,19 @@ struct ClothSurface {
     std::vector<double> friction;              ///< μ of the cloth [–]
     std::vector<double>
         room; ///< at rest, to the nearest element that does not end here [m]: there is no push within it
-    std::vector<std::vector<int>>
-        ignored; ///< particles that an open seam will bring here, rising; empty = none at all
+    std::vector<std::vector<int>> ignored; ///< particles that an open seam will bring here, rising; empty = none at all
 };
 
 struct SelfContactSettings {
-    double slack =
-        0.002; ///< a particle may leave the way foreseen by this before neighbours are sought anew [m]
+    double slack = 0.002;      ///< a particle may leave the way foreseen by this before neighbours are sought anew [m]
     double pushOutSpeed = 0.5; ///< at most, of layers that are too near at the start of a substep [m/s]
     double pushOutTime = 0.01; ///< in which a small overlap falls to 1/e [s]
     double keptDistance = 0.1; ///< part of its distance that a pair keeps in one substep whatever pulls [–]
     double closest = 1e-6;     ///< layers are never let nearer than this [m]
     int sweeps = 2;            ///< over the pairs that touch, in a substep
 
-    double stiffness = 2.5e6; ///< of statics, per mass of a particle [1/s²]: 500 Pa press 0.1 kg/m² to 0.8 of
-                              ///< its thickness of 0.5 mm, and never to nothing
+    double stiffness = 2.5e6;   ///< of statics, per mass of a particle [1/s²]: 500 Pa press 0.1 kg/m² to 0.8 of
+                                ///< its thickness of 0.5 mm, and never to nothing
     double frictionGive = 1e-4; ///< way over which statics builds friction up to μN [m]
     double staticMove = 0.0025; ///< of a particle in one iteration of statics, at most [m]
 };
@@ -118,8 +116,7 @@ private:
     [[nodiscard]] double stiffnessOf(const Watch& watch) const;
     [[nodiscard]] double pressureAt(const Watch& watch, double distance) const;
     [[nodiscard]] Vec3 slipOf(std::size_t pair, std::span<const Vec3> positions) const;
-    [[nodiscard]] bool isFar(const Watch& watch, const Contact& contact,
-                             std::span<const Vec3> positions) const;
+    [[nodiscard]] bool isFar(const Watch& watch, const Contact& contact, std::span<const Vec3> positions) const;
 
     const cloth::ClothModel& model_;
     ClothSurface surface_;
@@ -134,7 +131,7 @@ private:
     std::vector<collision::Piercing> piercings_;
     bool mayPierce_ = true; ///< until a search has found no piercing
     std::vector<Vec3> from_,
-        moves_; ///< where particles were when neighbours were sought, the ways foreseen [m]
+        moves_;                         ///< where particles were when neighbours were sought, the ways foreseen [m]
     double fromTime_ = 0, horizon_ = 0; ///< when that was, how long the ways take [s]
     double frame_ = 0;                  ///< duration of the step [s]
     int substep_ = 0, searches_ = 0;
@@ -142,7 +139,7 @@ private:
     std::vector<Vec3> wanted_;          ///< where particles would go before their ways are shortened [m]
     std::vector<double> fraction_;      ///< of its way that a particle goes
     std::vector<Vec3> iterationStart_;  ///< of statics [m]
-    std::vector<Vec3> anchors_; ///< where particles were at the start of statics; empty until then [m]
+    std::vector<Vec3> anchors_;         ///< where particles were at the start of statics; empty until then [m]
 };
 
 } // namespace toile::dynamics

@@ -20,11 +20,11 @@ struct ParticleState {
 
 /// What a stage sees of a position-based substep. Stages change positions only; velocities follow from them.
 struct Substep {
-    std::span<Vec3> positions;            ///< being solved
-    std::span<const Vec3> previous;       ///< at the start of the substep
-    std::span<const double> inverseMass;  ///< [1/kg]; 0 = pinned. A slave's is that of its masters, Σ w²/m
-    double duration = 0;                  ///< h [s]
-    double time = 0;                      ///< at the end of the substep [s]
+    std::span<Vec3> positions;           ///< being solved
+    std::span<const Vec3> previous;      ///< at the start of the substep
+    std::span<const double> inverseMass; ///< [1/kg]; 0 = pinned. A slave's is that of its masters, Σ w²/m
+    double duration = 0;                 ///< h [s]
+    double time = 0;                     ///< at the end of the substep [s]
 };
 
 /// Collects 3×3 blocks of ∂²E/∂x∂x. Blocks are row-major; (i, j) and (j, i) are both added by the caller.

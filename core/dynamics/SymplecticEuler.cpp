@@ -13,9 +13,9 @@ Result<StepReport> SymplecticEuler::advance(ParticleState& state, double duratio
                                             std::span<Stage* const> stages, std::stop_token stop) {
     const double limit = stepLimit(state.positions, stages);
     if (duration > limit && !settings_.automaticSubsteps)
-        return fail(ErrorCode::invalidInput,
-                    fmt::format("A step of {:.3g} s is beyond the limit of {:.3g} s of explicit steps.",
-                                duration, limit));
+        return fail(
+            ErrorCode::invalidInput,
+            fmt::format("A step of {:.3g} s is beyond the limit of {:.3g} s of explicit steps.", duration, limit));
     const auto parts = explicitParts(duration, limit, settings_.safety);
     if (!parts) return tl::unexpected(parts.error());
     for (Stage* stage : stages) stage->beginStep(state, duration);

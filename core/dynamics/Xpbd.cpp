@@ -58,9 +58,9 @@ Result<void> Xpbd::step(ParticleState& state, double duration, int substeps, con
     for (std::size_t p = 0; p < state.positions.size(); ++p)
         if (!isFinite(state.positions[p]) || !isFinite(state.velocities[p])) {
             state = start;
-            return fail(ErrorCode::notConverged,
-                        fmt::format("The position of particle {} was no number after the step from {:.4f} s.", p,
-                                    start.time));
+            return fail(
+                ErrorCode::notConverged,
+                fmt::format("The position of particle {} was no number after the step from {:.4f} s.", p, start.time));
         }
     return {};
 }
@@ -120,7 +120,9 @@ void Xpbd::setSettings(XpbdSettings settings) {
     data_->settings = settings;
 }
 
-std::span<const double> Xpbd::inverseMass() const { return data_->inverseMass; }
+std::span<const double> Xpbd::inverseMass() const {
+    return data_->inverseMass;
+}
 
 std::size_t Xpbd::bytes() const {
     return sizeof(Data) + data_->inverseMass.capacity() * sizeof(double) + data_->previous.capacity() * sizeof(Vec3) +

@@ -12,9 +12,10 @@
 namespace toile::dynamics {
 
 struct XpbdSettings {
-    double damping = 0.5;      ///< mass-proportional: v̇ = −damping·v [1/s]
-    double stiffnessCap = 1;   ///< κ [–]: no element is stiffer than κ/(w h²), w its inverse mass; above 1 energy can grow
-    double speedLimit = 0;     ///< no particle is faster [m/s]; 0 = no limit
+    double damping = 0.5; ///< mass-proportional: v̇ = −damping·v [1/s]
+    double stiffnessCap =
+        1; ///< κ [–]: no element is stiffer than κ/(w h²), w its inverse mass; above 1 energy can grow
+    double speedLimit = 0; ///< no particle is faster [m/s]; 0 = no limit
 };
 
 /// Position-based dynamics in small steps: one Gauss–Seidel sweep over all elements a substep.

@@ -10,8 +10,7 @@ XpbdIntegrator::XpbdIntegrator(const cloth::ClothModel& model, XpbdSettings sett
 Result<StepReport> XpbdIntegrator::advance(ParticleState& state, double duration, const Vec3& gravity,
                                            std::span<Stage* const> stages, std::stop_token) {
     const int substeps = substeps_ > 0 ? substeps_ : substepsFor(duration, longestLine_, length(gravity));
-    if (auto done = xpbd_.step(state, duration, substeps, gravity, stages); !done)
-        return tl::unexpected(done.error());
+    if (auto done = xpbd_.step(state, duration, substeps, gravity, stages); !done) return tl::unexpected(done.error());
     return StepReport{.parts = substeps};
 }
 

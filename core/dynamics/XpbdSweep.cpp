@@ -99,25 +99,22 @@ void XpbdSweep::compileStencils(const std::vector<cloth::Stencil>& stencils) {
     for (const cloth::Stencil& s : stencils) {
         const auto count = std::ranges::count_if(s.particles, [](int p) { return p >= 0; });
         if (s.stiffness <= 0) continue;
-        if (count == 3 && !touchesSlave(s.particles))
-            threePoint_.push_back(compiled(s, Linear<3>{}, 3));
-        else if (count == 4 && !touchesSlave(s.particles))
-            fourPoint_.push_back(compiled(s, Linear<4>{}, 4));
+        if (count == 3 && !touchesSlave(s.particles)) threePoint_.push_back(compiled(s, Linear<3>{}, 3));
+        else if (count == 4 && !touchesSlave(s.particles)) fourPoint_.push_back(compiled(s, Linear<4>{}, 4));
         else
-            compileExpanded(std::span(s.particles).first(count), std::span(s.coefficients).first(count), 0, s.stiffness);
+            compileExpanded(std::span(s.particles).first(count), std::span(s.coefficients).first(count), 0,
+                            s.stiffness);
     }
 }
 
-void XpbdSweep::compileExpanded(std::span<const int> particles, std::span<const double> coefficients,
-                                double restLength, double stiffness) {
+void XpbdSweep::compileExpanded(std::span<const int> particles, std::span<const double> coefficients, double restLength,
+                                double stiffness) {
     // Pinned particles stay in the sum: they are points of it although nothing moves them.
     std::vector<Term> terms;
     const auto add = [&](int particle, double coefficient) {
         const auto it = std::ranges::find(terms, particle, &Term::particle);
-        if (it != terms.end())
-            it->coefficient += coefficient;
-        else
-            terms.push_back({particle, coefficient, 0});
+        if (it != terms.end()) it->coefficient += coefficient;
+        else terms.push_back({particle, coefficient, 0});
     };
     for (std::size_t i = 0; i < particles.size(); ++i) {
         if (slaveOf_[particles[i]] < 0) {
@@ -182,8 +179,7 @@ void XpbdSweep::applyExpanded(std::span<Vec3> x) const {
 Vec3 XpbdSweep::placeOf(int particle, std::span<const Vec3> x) const {
     if (slaveOf_[particle] < 0) return x[particle];
     Vec3 place;
-    for (const auto& [master, weight] : model_.slaves[slaveOf_[particle]].masters)
-        place += weight * x[master];
+    for (const auto& [master, weight] : model_.slaves[slaveOf_[particle]].masters) place += weight * x[master];
     return place;
 }
 

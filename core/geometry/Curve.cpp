@@ -43,11 +43,14 @@ Vec2 cubicTangent(const Curve& c, const CubicShape& s, double t) {
 }
 
 /// At least one step; at most a million, however large the curve.
-int wholeSteps(double steps) { return static_cast<int>(std::ceil(std::clamp(steps, 1.0, 1e6))); }
+int wholeSteps(double steps) {
+    return static_cast<int>(std::ceil(std::clamp(steps, 1.0, 1e6)));
+}
 
 /// Wang's bound: n equal parameter steps stay within the error when n² ≥ 6·max|second difference| / (8·error).
 int cubicSteps(const Curve& c, const CubicShape& s, double chordError) {
-    const double bend = std::max(length(c.start - s.control1 * 2 + s.control2), length(s.control1 - s.control2 * 2 + c.end));
+    const double bend =
+        std::max(length(c.start - s.control1 * 2 + s.control2), length(s.control1 - s.control2 * 2 + c.end));
     return wholeSteps(std::sqrt(0.75 * bend / chordError));
 }
 
@@ -188,6 +191,8 @@ double ArcLength::fractionAt(double t) const {
     return (lengths_[i] + lengthBetween(curve_, parameters_[i], t)) / total();
 }
 
-double length(const Curve& curve) { return ArcLength(curve).total(); }
+double length(const Curve& curve) {
+    return ArcLength(curve).total();
+}
 
 } // namespace toile::geometry

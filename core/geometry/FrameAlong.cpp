@@ -21,8 +21,7 @@ Vec3 directionBetween(std::span<const Vec3> line, double at) {
     if (at <= 0) return directionAt(line, 0);
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
         const double stretch = distance(line[i], line[i + 1]);
-        if (at <= stretch)
-            return normalized(lerp(directionAt(line, i), directionAt(line, i + 1), at / stretch));
+        if (at <= stretch) return normalized(lerp(directionAt(line, i), directionAt(line, i + 1), at / stretch));
         at -= stretch;
     }
     return directionAt(line, line.size() - 1);

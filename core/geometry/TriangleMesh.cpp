@@ -12,8 +12,7 @@ namespace toile::geometry {
 double signedVolume(const TriangleMesh& mesh) {
     double sixfold = 0;
     for (const auto& [a, b, c] : mesh.triangles)
-        sixfold += dot(mesh.vertices[a],
-                       cross(mesh.vertices[b], mesh.vertices[c]));
+        sixfold += dot(mesh.vertices[a], cross(mesh.vertices[b], mesh.vertices[c]));
     return sixfold / 6;
 }
 
@@ -34,8 +33,7 @@ bool isClosedManifold(const TriangleMesh& mesh) {
 std::vector<Vec3> vertexNormals(const TriangleMesh& mesh) {
     std::vector<Vec3> normals(mesh.vertices.size());
     for (const TriangleIndices& t : mesh.triangles) {
-        const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]],
-                   &c = mesh.vertices[t[2]];
+        const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
         const Vec3 doubledArea = cross(b - a, c - a);
         for (const int corner : t) normals[corner] += doubledArea;
     }
@@ -74,9 +72,9 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
         target.push_back(found);
     }
     for (const TriangleIndices& t : mesh.triangles) {
-        const TriangleIndices mapped{target[t[0]], target[t[1]],
-                                     target[t[2]]};
-        if (mapped[0] != mapped[1] && mapped[1] != mapped[2] && mapped[2] != mapped[0]) result.triangles.push_back(mapped);
+        const TriangleIndices mapped{target[t[0]], target[t[1]], target[t[2]]};
+        if (mapped[0] != mapped[1] && mapped[1] != mapped[2] && mapped[2] != mapped[0])
+            result.triangles.push_back(mapped);
     }
     return result;
 }

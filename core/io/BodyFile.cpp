@@ -118,7 +118,8 @@ Result<geometry::TriangleMesh> finished(ImportedMesh imported, const BodyFormat&
 
 } // namespace
 
-Result<BodyFile> readBodyFile(const std::filesystem::path& path, const BodyImportSettings& settings, std::vector<Warning>* warnings) {
+Result<BodyFile> readBodyFile(const std::filesystem::path& path, const BodyImportSettings& settings,
+                              std::vector<Warning>* warnings) {
     const auto format = formatOf(path);
     if (!format) return tl::unexpected(format.error());
     const auto named = [&](Error error) {

@@ -42,7 +42,9 @@ constexpr std::array<std::pair<const char*, Limb>, 6> limbNames{{
     {"rightLeg", Limb::rightLeg},
 }};
 
-Json jsonOf(const Vec3& p) { return Json(Json::Array{p.x, p.y, p.z}); }
+Json jsonOf(const Vec3& p) {
+    return Json(Json::Array{p.x, p.y, p.z});
+}
 
 Json axisJson(const LimbAxis& axis) {
     Json points{Json::Array{}}, json;

@@ -13,11 +13,11 @@
 namespace toile::io {
 
 struct BodyImportSettings {
-    std::optional<LengthUnit> unit;              ///< of the file; none = judged by the height of the body
-    bool isHuman = true;                         ///< false: a table, a cylinder; its size is not judged
-    std::uint64_t largestFile = 500'000'000;     ///< [bytes]
-    double patience = 60;                        ///< for the reader of a foreign format [s]
-    double weldDistance = 1e-5;                  ///< vertices nearer than this are one [m]
+    std::optional<LengthUnit> unit;          ///< of the file; none = judged by the height of the body
+    bool isHuman = true;                     ///< false: a table, a cylinder; its size is not judged
+    std::uint64_t largestFile = 500'000'000; ///< [bytes]
+    double patience = 60;                    ///< for the reader of a foreign format [s]
+    double weldDistance = 1e-5;              ///< vertices nearer than this are one [m]
 };
 
 /// The surface of a body in metres, y up, welded: every vertex of the surface once. Reads GLB, glTF, OBJ, STL, PLY,

@@ -12,7 +12,9 @@ constexpr double leastHeight = 1.2, mostHeight = 2.3; // of an adult [m]
 constexpr std::array units{LengthUnit::metre, LengthUnit::decimetre, LengthUnit::centimetre, LengthUnit::millimetre,
                            LengthUnit::inch};
 
-bool isHeight(double metres) { return metres >= leastHeight && metres <= mostHeight; }
+bool isHeight(double metres) {
+    return metres >= leastHeight && metres <= mostHeight;
+}
 
 std::optional<LengthUnit> unitThatFits(double height) {
     for (const LengthUnit unit : units)
@@ -21,15 +23,17 @@ std::optional<LengthUnit> unitThatFits(double height) {
 }
 
 /// Lying: much longer along z than along y.
-bool hasZUp(const geometry::Box3& box) { return box.high.z - box.low.z > 1.5 * (box.high.y - box.low.y); }
+bool hasZUp(const geometry::Box3& box) {
+    return box.high.z - box.low.z > 1.5 * (box.high.y - box.low.y);
+}
 
 void scale(geometry::TriangleMesh& mesh, double factor) {
     for (Vec3& v : mesh.vertices) v = v * factor;
 }
 
 std::string tooTallOrSmall(double height, const std::string& advice) {
-    return fmt::format("The body is {:.4g} m high; an adult is between {} and {} m. {}", height, leastHeight, mostHeight,
-                       advice);
+    return fmt::format("The body is {:.4g} m high; an adult is between {} and {} m. {}", height, leastHeight,
+                       mostHeight, advice);
 }
 
 } // namespace

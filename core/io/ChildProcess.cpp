@@ -92,7 +92,8 @@ Ending collect(int pipe, const ChildLimits& limits, std::string& answer) {
 
 int waitFor(pid_t child) {
     int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
     return status;
 }
 

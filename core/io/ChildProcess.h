@@ -10,9 +10,9 @@
 namespace toile::io {
 
 struct ChildLimits {
-    double seconds = 60;                            ///< of the clock; a hanging library is stopped then [s]
-    std::size_t memory = std::size_t{4} << 30;      ///< beyond what the program has already [bytes]
-    std::size_t answer = std::size_t{2} << 30;      ///< longest answer that is taken [bytes]
+    double seconds = 60;                       ///< of the clock; a hanging library is stopped then [s]
+    std::size_t memory = std::size_t{4} << 30; ///< beyond what the program has already [bytes]
+    std::size_t answer = std::size_t{2} << 30; ///< longest answer that is taken [bytes]
 };
 
 /// Runs work in a child process and returns what it returned. Whatever the work does – crash, abort, never end, take

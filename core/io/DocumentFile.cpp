@@ -20,16 +20,19 @@ constexpr std::uint64_t largestFile = 256 << 20; // [bytes]
 
 std::string extensionOf(const std::string& path) {
     std::string extension = std::filesystem::path(path).extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return extension;
 }
 
 Result<Imported> importedFrom(const std::string& text, const std::string& path) {
     const std::string extension = extensionOf(path);
-    if (extension == ".toile") return documentFromText(text, path).map([](document::Document d) { return Imported{std::move(d), {}}; });
+    if (extension == ".toile")
+        return documentFromText(text, path).map([](document::Document d) { return Imported{std::move(d), {}}; });
     if (extension == ".json") return garmentCodeFromText(text, path);
     return fail(ErrorCode::unsupported,
-                fmt::format("Files ending in \"{}\" cannot be read as a pattern: .toile and .json (GarmentCode) can.", extension),
+                fmt::format("Files ending in \"{}\" cannot be read as a pattern: .toile and .json (GarmentCode) can.",
+                            extension),
                 {.file = path});
 }
 
@@ -37,20 +40,25 @@ std::vector<Problem> checkAvatar(const document::Document& document, const std::
     if (document.avatarFile.empty()) return {};
     std::error_code none;
     if (std::filesystem::is_regular_file(fileNamedBy(path, document.avatarFile), none)) return {};
-    return {{{.path = "avatar"}, fmt::format("There is no file \"{}\" beside the document.", document.avatarFile), true}};
+    return {
+        {{.path = "avatar"}, fmt::format("There is no file \"{}\" beside the document.", document.avatarFile), true}};
 }
 
 } // namespace
 
 Result<Imported> readDocument(const std::string& path) {
-    return readRegularFile(path, largestFile).and_then([&](const std::string& text) { return importedFrom(text, path); });
+    return readRegularFile(path, largestFile).and_then([&](const std::string& text) {
+        return importedFrom(text, path);
+    });
 }
 
 std::filesystem::path fileNamedBy(const std::filesystem::path& documentPath, const std::string& name) {
     return documentPath.parent_path() / name;
 }
 
-bool Checked::hasErrors() const { return pattern::hasErrors(problems); }
+bool Checked::hasErrors() const {
+    return pattern::hasErrors(problems);
+}
 
 Result<Checked> checkFile(const std::string& path) {
     const auto text = readRegularFile(path, largestFile);

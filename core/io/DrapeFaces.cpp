@@ -12,7 +12,9 @@ namespace {
 using simulation::FrameTopology;
 using Edge = std::pair<int, int>;
 
-Edge edgeOf(int a, int b) { return std::minmax(a, b); }
+Edge edgeOf(int a, int b) {
+    return std::minmax(a, b);
+}
 
 } // namespace
 

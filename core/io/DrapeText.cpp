@@ -28,7 +28,8 @@ void appendInteger(std::string& bytes, Integer value) {
 
 /// A name on one line.
 std::string oneLine(std::string name) {
-    std::ranges::replace_if(name, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    std::ranges::replace_if(
+        name, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
     return name.empty() ? "piece" : name;
 }
 
@@ -54,8 +55,10 @@ std::string drapeObj(const FrameTopology& topology, std::span<const Vec3> positi
 
 std::string drapePly(const FrameTopology& topology, std::span<const Vec3> positions) {
     std::string bytes = fmt::format("ply\nformat binary_little_endian 1.0\ncomment drape; metres, y up; s and t = flat "
-                                    "pattern in metres\nelement vertex {}\n", positions.size());
-    for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "s", "t"}) bytes += fmt::format("property float {}\n", name);
+                                    "pattern in metres\nelement vertex {}\n",
+                                    positions.size());
+    for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "s", "t"})
+        bytes += fmt::format("property float {}\n", name);
     bytes += fmt::format("element face {}\nproperty list uchar int vertex_indices\nproperty int piece\nend_header\n",
                          topology.triangles.size());
     const std::vector<Vec3> normals = drapeNormals(topology, positions);

@@ -76,7 +76,8 @@ EdgeShape arcOf(const JsonNode& params, const Curve& edge, const Units& units) {
     if (values.empty()) return geometry::LineShape{};
     const auto flag = [](const JsonNode& node) { return node.json()->asBool() ? node.truth() : node.number() != 0; };
     const double radius = values[0].number() / units.perMetre, half = 0.5 * geometry::distance(edge.start, edge.end);
-    if (!(radius >= 0.99 * half)) values[0].refuse("The radius is too small: the arc does not reach from one end of the edge to the other.");
+    if (!(radius >= 0.99 * half))
+        values[0].refuse("The radius is too small: the arc does not reach from one end of the edge to the other.");
     const double minor = 2 * std::asin(std::min(1.0, half / radius));
     const double sweep = flag(values[1]) ? 2 * std::numbers::pi - minor : minor;
     return ArcShape{(flag(values[2]) ? 1 : -1) * std::tan(sweep / 4)}; // turning left bulges to the right
@@ -124,7 +125,8 @@ void turnOver(Piece& piece) {
 }
 
 /// The vertices in the order of the edges, which must form one closed loop.
-std::vector<Vec2> loopOf(const std::vector<JsonNode>& edges, const std::vector<Vec2>& vertices, std::vector<JsonNode>& ends) {
+std::vector<Vec2> loopOf(const std::vector<JsonNode>& edges, const std::vector<Vec2>& vertices,
+                         std::vector<JsonNode>& ends) {
     std::vector<Vec2> loop;
     std::vector<std::array<int, 2>> endpoints;
     const int last = static_cast<int>(vertices.size()) - 1;
@@ -153,7 +155,8 @@ ReadPiece pieceOf(JsonNode node, const std::string& name, const Units& units, Id
     piece.id = ids.take<PieceId>();
     piece.name = name;
     std::vector<Vec2> vertices;
-    for (const JsonNode& vertex : node.required("vertices").items()) vertices.push_back(pairOf(vertex) / units.perMetre);
+    for (const JsonNode& vertex : node.required("vertices").items())
+        vertices.push_back(pairOf(vertex) / units.perMetre);
     auto edges = node.required("edges").items();
     std::vector<JsonNode> ends;
     const std::vector<Vec2> loop = loopOf(edges, vertices, ends);
@@ -186,7 +189,8 @@ std::vector<std::string> panelNames(JsonNode& pattern, JsonNode& panels) {
 }
 
 /// One edge of one panel; null where the stitch names none that exists.
-const EdgeId* edgeOf(JsonNode locator, const std::map<std::string, Panel>& panels, const Panel*& panel, std::string& label) {
+const EdgeId* edgeOf(JsonNode locator, const std::map<std::string, Panel>& panels, const Panel*& panel,
+                     std::string& label) {
     const JsonNode name = locator.required("panel"), index = locator.required("edge");
     const auto found = panels.find(name.text());
     if (found == panels.end()) {
@@ -200,7 +204,8 @@ const EdgeId* edgeOf(JsonNode locator, const std::map<std::string, Panel>& panel
     return &panel->edges[edge];
 }
 
-Seam seamOf(const JsonNode& stitch, const std::map<std::string, Panel>& panels, IdSource& ids, std::vector<Warning>& warnings) {
+Seam seamOf(const JsonNode& stitch, const std::map<std::string, Panel>& panels, IdSource& ids,
+            std::vector<Warning>& warnings) {
     Seam seam;
     seam.id = ids.take<SeamId>();
     const auto locators = stitch.items();
@@ -221,8 +226,9 @@ Seam seamOf(const JsonNode& stitch, const std::map<std::string, Panel>& panels, 
     if (locators.size() == 3 && locators[2].choice(kinds, 0) == 0) seam.sides[1][0].reversed = false;
     seam.name = fmt::format("{} – {}", names[0], names[1]);
     if (!labels[0].empty() && !labels[1].empty() && labels[0] != labels[1])
-        warnings.push_back({fmt::format("seam \"{}\"", seam.name),
-                            fmt::format("its edges are labelled \"{}\" and \"{}\": is it meant?", labels[0], labels[1])});
+        warnings.push_back(
+            {fmt::format("seam \"{}\"", seam.name),
+             fmt::format("its edges are labelled \"{}\" and \"{}\": is it meant?", labels[0], labels[1])});
     return seam;
 }
 
@@ -246,7 +252,8 @@ void judgeSize(const Pattern& pattern, std::vector<Warning>& warnings) {
         largest = std::max({largest, box.high.x - box.low.x, box.high.y - box.low.y});
     }
     if (largest < 0.02 || largest > 3)
-        warnings.push_back({"units", fmt::format("the largest piece is {:.1f} mm long: is the unit right?", 1000 * largest)});
+        warnings.push_back(
+            {"units", fmt::format("the largest piece is {:.1f} mm long: is the unit right?", 1000 * largest)});
 }
 
 material::Fabric defaultFabric(IdSource& ids) {
@@ -306,7 +313,9 @@ Result<Imported> garmentCodeFromText(std::string_view text, const std::string& f
 }
 
 Result<Imported> readGarmentCode(const std::string& path) {
-    return readRegularFile(path, largestFile).and_then([&](const std::string& text) { return garmentCodeFromText(text, path); });
+    return readRegularFile(path, largestFile).and_then([&](const std::string& text) {
+        return garmentCodeFromText(text, path);
+    });
 }
 
 } // namespace toile::io

@@ -142,7 +142,9 @@ int GlbArrays::add(std::span<const Vec3> values, bool withBounds) {
         }
     const int index = addAccessor(bytes, floatType, values.size(), "VEC3", vertexTarget);
     if (withBounds && !values.empty()) {
-        const auto triple = [](const float(&v)[3]) { return Json(Json::Array{double(v[0]), double(v[1]), double(v[2])}); };
+        const auto triple = [](const float(&v)[3]) {
+            return Json(Json::Array{double(v[0]), double(v[1]), double(v[2])});
+        };
         accessors_.back().set("min", triple(low)).set("max", triple(high));
     }
     return index;

@@ -10,7 +10,8 @@ namespace toile::io {
 
 void JsonNode::refuse(std::string sentence, ErrorCode code) const {
     if (reading_->error) return;
-    reading_->error = Error{code, std::move(sentence), {.file = reading_->file, .line = json_ ? json_->line() : 0, .path = path_}};
+    reading_->error =
+        Error{code, std::move(sentence), {.file = reading_->file, .line = json_ ? json_->line() : 0, .path = path_}};
 }
 
 JsonNode JsonNode::operator[](const std::string& key) {
@@ -84,7 +85,8 @@ int JsonNode::choice(std::span<const char* const> names, int missing) const {
     const std::string value = text();
     const auto found = std::ranges::find(names, value);
     if (found != names.end()) return static_cast<int>(found - names.begin());
-    if (json_->asString()) refuse(fmt::format("Expected one of \"{}\", but found \"{}\".", fmt::join(names, "\", \""), value));
+    if (json_->asString())
+        refuse(fmt::format("Expected one of \"{}\", but found \"{}\".", fmt::join(names, "\", \""), value));
     return missing;
 }
 

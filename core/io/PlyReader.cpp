@@ -19,10 +19,22 @@ enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 
 std::optional<Scalar> scalarNamed(std::string_view name) {
     using enum Scalar;
     static constexpr std::array<std::pair<std::string_view, Scalar>, 16> names{{
-        {"char", int8}, {"int8", int8}, {"uchar", uint8}, {"uint8", uint8},
-        {"short", int16}, {"int16", int16}, {"ushort", uint16}, {"uint16", uint16},
-        {"int", int32}, {"int32", int32}, {"uint", uint32}, {"uint32", uint32},
-        {"float", float32}, {"float32", float32}, {"double", float64}, {"float64", float64},
+        {"char", int8},
+        {"int8", int8},
+        {"uchar", uint8},
+        {"uint8", uint8},
+        {"short", int16},
+        {"int16", int16},
+        {"ushort", uint16},
+        {"uint16", uint16},
+        {"int", int32},
+        {"int32", int32},
+        {"uint", uint32},
+        {"uint32", uint32},
+        {"float", float32},
+        {"float32", float32},
+        {"double", float64},
+        {"float64", float64},
     }};
     for (const auto& [text, scalar] : names)
         if (text == name) return scalar;

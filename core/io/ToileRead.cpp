@@ -15,7 +15,7 @@ namespace {
 
 using namespace pattern;
 
-constexpr double longest = 1e9; ///< [mm]
+constexpr double longest = 1e9;                      ///< [mm]
 constexpr std::uint64_t largestDocument = 256 << 20; ///< [bytes]; a blouse has some 50 000
 
 template <class IdType>
@@ -28,10 +28,13 @@ IdType idOf(const JsonNode& node) {
 double lengthOf(const JsonNode& node, double missing = 0) {
     if (!node.exists()) return missing;
     const double value = node.number();
-    if (!(std::abs(value) <= longest)) node.refuse(fmt::format("Expected a length in millimetres, but {} is out of all measure.", value));
+    if (!(std::abs(value) <= longest))
+        node.refuse(fmt::format("Expected a length in millimetres, but {} is out of all measure.", value));
     return metres(value);
 }
-double angleOf(const JsonNode& node) { return radians(node.number()); }
+double angleOf(const JsonNode& node) {
+    return radians(node.number());
+}
 
 Vec2 pointOf(const JsonNode& node) {
     const auto xy = node.items(2);
@@ -46,7 +49,9 @@ auto listOf(const JsonNode& node, Read read) {
     return list;
 }
 
-std::vector<Vec2> pointsOf(const JsonNode& node) { return listOf(node, [](JsonNode& item) { return pointOf(item); }); }
+std::vector<Vec2> pointsOf(const JsonNode& node) {
+    return listOf(node, [](JsonNode& item) { return pointOf(item); });
+}
 
 Vertex vertexOf(JsonNode& node) {
     return {idOf<VertexId>(node.required("id")), {lengthOf(node.required("x")), lengthOf(node.required("y"))}};
@@ -82,7 +87,9 @@ Notch notchOf(JsonNode& node) {
             static_cast<NotchKind>(node["kind"].choice(notchKindNames, 0)), node["double"].truth()};
 }
 
-InternalLine internalLineOf(JsonNode& node) { return {node["name"].text(), pointsOf(node.required("points"))}; }
+InternalLine internalLineOf(JsonNode& node) {
+    return {node["name"].text(), pointsOf(node.required("points"))};
+}
 
 StiffnessFactors stiffnessOf(JsonNode node) {
     return {node["stretch"].number(1), node["shear"].number(1), node["bending"].number(1)};
@@ -113,7 +120,8 @@ BentLine bentOf(JsonNode node) {
 
 Curl curlOf(JsonNode node) {
     Curl curl;
-    if (const auto axis = node.required("axis").items(2); !axis.empty()) curl.axis = {axis[0].number(), axis[1].number()};
+    if (const auto axis = node.required("axis").items(2); !axis.empty())
+        curl.axis = {axis[0].number(), axis[1].number()};
     curl.radius = lengthOf(node.required("radius"));
     if (const JsonNode bent = node["bent"]; bent.exists()) curl.bent = bentOf(bent);
     return curl;
@@ -223,7 +231,8 @@ Pin pinOf(JsonNode& node) {
 
 simulation::SceneSettings sceneOf(JsonNode& node) {
     simulation::SceneSettings scene;
-    if (const auto g = node["gravity"].items(3); !g.empty()) scene.gravity = {g[0].number(), g[1].number(), g[2].number()};
+    if (const auto g = node["gravity"].items(3); !g.empty())
+        scene.gravity = {g[0].number(), g[1].number(), g[2].number()};
     scene.damping = node["damping"].number(scene.damping);
     scene.skinOffset = lengthOf(node["skinOffset"], scene.skinOffset);
     scene.bodyFriction = node["bodyFriction"].number(scene.bodyFriction);
@@ -240,8 +249,11 @@ void readHeader(JsonNode& root) {
     if (format.exists() && format.text() != "toile") format.refuse("Expected \"toile\": this is not a Toile document.");
     const JsonNode version = root.required("version");
     if (version.exists() && version.number() > toileVersion)
-        version.refuse(fmt::format("This document has version {}, but this program reads up to version {}: please use a "
-                                   "newer program.", version.number(), toileVersion), ErrorCode::unsupported);
+        version.refuse(
+            fmt::format("This document has version {}, but this program reads up to version {}: please use a "
+                        "newer program.",
+                        version.number(), toileVersion),
+            ErrorCode::unsupported);
     (void)version.integer(toileVersion, 1, toileVersion);
 }
 
@@ -275,7 +287,9 @@ Result<document::Document> documentFromText(std::string_view text, const std::st
 }
 
 Result<document::Document> readToile(const std::string& path) {
-    return readRegularFile(path, largestDocument).and_then([&](const std::string& text) { return documentFromText(text, path); });
+    return readRegularFile(path, largestDocument).and_then([&](const std::string& text) {
+        return documentFromText(text, path);
+    });
 }
 
 } // namespace toile::io

@@ -15,7 +15,9 @@ const char* nameIn(const Names& names, Enum value) {
     return names[static_cast<std::size_t>(value)];
 }
 
-Json point(Vec2 p) { return Json(Json::Array{millimetres(p.x), millimetres(p.y)}); }
+Json point(Vec2 p) {
+    return Json(Json::Array{millimetres(p.x), millimetres(p.y)});
+}
 
 Json points(const std::vector<Vec2>& list) {
     Json json(Json::Array{});
@@ -100,7 +102,8 @@ Json regionJson(const Region& region) {
 
 Json bentJson(const BentLine& bent) {
     Json list(Json::Array{});
-    for (const Vec3& p : bent.points) list.push(Json(Json::Array{millimetres(p.x), millimetres(p.y), millimetres(p.z)}));
+    for (const Vec3& p : bent.points)
+        list.push(Json(Json::Array{millimetres(p.x), millimetres(p.y), millimetres(p.z)}));
     Json json;
     json.set("from", millimetres(bent.from)).set("points", std::move(list));
     return json;
@@ -227,7 +230,9 @@ Json documentJson(const document::Document& document) {
 
 } // namespace
 
-std::string toileText(const document::Document& document) { return toText(documentJson(document)); }
+std::string toileText(const document::Document& document) {
+    return toText(documentJson(document));
+}
 
 Result<document::Document> asWritten(const document::Document& document) {
     return documentFromText(toileText(document));

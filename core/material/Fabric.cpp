@@ -10,7 +10,9 @@ namespace {
 
 constexpr double gravity = 9.81; // [m/s²]
 
-Place placeOf(const Fabric& fabric) { return {.object = fmt::format("fabric \"{}\"", fabric.name)}; }
+Place placeOf(const Fabric& fabric) {
+    return {.object = fmt::format("fabric \"{}\"", fabric.name)};
+}
 
 } // namespace
 
@@ -20,8 +22,8 @@ Result<MembraneStiffness> membraneStiffness(const Fabric& fabric, double c12) {
     const double product = fabric.warpStiffness * fabric.weftStiffness, q = c12 * c12;
     if (product <= 0) {
         if (q > 0)
-            return fail(ErrorCode::invalidInput, "A fabric without tensile stiffness cannot have a coupling of warp and weft.",
-                        placeOf(fabric));
+            return fail(ErrorCode::invalidInput,
+                        "A fabric without tensile stiffness cannot have a coupling of warp and weft.", placeOf(fabric));
         return MembraneStiffness{fabric.weftStiffness, fabric.warpStiffness, 0, fabric.shearStiffness};
     }
     const double r = 0.5 * (1 + std::sqrt(1 + 4 * q / product));
@@ -47,11 +49,16 @@ Result<void> checked(const Fabric& fabric) {
     const auto bad = [&](const char* field, double value, const char* wanted) -> Result<void> {
         Place place = placeOf(fabric);
         place.path = field;
-        return fail(ErrorCode::invalidInput, fmt::format("{} is {}, but must be {}.", field, value, wanted), std::move(place));
+        return fail(ErrorCode::invalidInput, fmt::format("{} is {}, but must be {}.", field, value, wanted),
+                    std::move(place));
     };
-    struct Field { const char* name; double value; bool zeroAllowed; };
+    struct Field {
+        const char* name;
+        double value;
+        bool zeroAllowed;
+    };
     const Field fields[] = {
-        {"arealDensity", fabric.arealDensity, false}, {"warpStiffness", fabric.warpStiffness, true},
+        {"arealDensity", fabric.arealDensity, false},  {"warpStiffness", fabric.warpStiffness, true},
         {"weftStiffness", fabric.weftStiffness, true}, {"shearStiffness", fabric.shearStiffness, true},
         {"coupling", fabric.coupling, true},           {"warpBending", fabric.warpBending, true},
         {"weftBending", fabric.weftBending, true},     {"biasBending", fabric.biasBending, true},
@@ -62,7 +69,10 @@ Result<void> checked(const Fabric& fabric) {
         if (f.zeroAllowed && f.value < 0) return bad(f.name, f.value, "zero or more");
         if (!f.zeroAllowed && f.value <= 0) return bad(f.name, f.value, "positive");
     }
-    struct Curve { const char* name; const std::vector<TensionPoint>& points; };
+    struct Curve {
+        const char* name;
+        const std::vector<TensionPoint>& points;
+    };
     for (const Curve& curve : {Curve{"warpTension", fabric.warpTension}, Curve{"weftTension", fabric.weftTension}})
         for (std::size_t i = 0; i < curve.points.size(); ++i) {
             const TensionPoint& p = curve.points[i];

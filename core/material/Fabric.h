@@ -20,8 +20,8 @@ enum class FabricKind {
 
 /// Uniaxial tension at a strain, relative to the zero-strain modulus: one row of a measured curve.
 struct TensionPoint {
-    double strain = 0;         ///< [–]
-    double modulusFactor = 1;  ///< secant modulus over the zero-strain modulus [–]
+    double strain = 0;        ///< [–]
+    double modulusFactor = 1; ///< secant modulus over the zero-strain modulus [–]
     friend bool operator==(const TensionPoint&, const TensionPoint&) = default;
 };
 
@@ -31,16 +31,16 @@ struct Fabric {
     std::string name;
     FabricKind kind = FabricKind::woven;
 
-    double arealDensity = 0.15;   ///< ρ [kg/m²]
-    double warpStiffness = 1000;  ///< E1, uniaxial [N/m]
-    double weftStiffness = 1000;  ///< E2, uniaxial [N/m]
-    double shearStiffness = 40;   ///< G per radian of shear angle [N/m]
-    double coupling = 0;          ///< C12 of the membrane cell [N/m]; spring cells have C12 = G
-    double warpBending = 20e-6;   ///< B1, bends warp threads [N·m]
-    double weftBending = 20e-6;   ///< B2 [N·m]
-    double biasBending = 20e-6;   ///< B45 [N·m]
-    double thickness = 0.4e-3;    ///< full thickness t [m]
-    double friction = 0.4;        ///< μ of the cloth; a pair has √(μ₁·μ₂) [–]
+    double arealDensity = 0.15;  ///< ρ [kg/m²]
+    double warpStiffness = 1000; ///< E1, uniaxial [N/m]
+    double weftStiffness = 1000; ///< E2, uniaxial [N/m]
+    double shearStiffness = 40;  ///< G per radian of shear angle [N/m]
+    double coupling = 0;         ///< C12 of the membrane cell [N/m]; spring cells have C12 = G
+    double warpBending = 20e-6;  ///< B1, bends warp threads [N·m]
+    double weftBending = 20e-6;  ///< B2 [N·m]
+    double biasBending = 20e-6;  ///< B45 [N·m]
+    double thickness = 0.4e-3;   ///< full thickness t [m]
+    double friction = 0.4;       ///< μ of the cloth; a pair has √(μ₁·μ₂) [–]
 
     std::vector<TensionPoint> warpTension, weftTension; ///< empty = linear; strains increase
     std::string source;                                 ///< where the numbers come from

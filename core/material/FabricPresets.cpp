@@ -15,8 +15,8 @@ constexpr double curveStrain = 1.0 / 6; ///< where the second row of the tension
 /// A row of the measurements, directions as measured: 0°, 45°, 90°.
 struct Row {
     const char *id, *name;
-    FabricKind kind; ///< from fibre and stiffness; the measurements do not say
-    double density;  ///< [kg/m²]
+    FabricKind kind;                     ///< from fibre and stiffness; the measurements do not say
+    double density;                      ///< [kg/m²]
     std::array<double, 2> tension;       ///< at zero strain, 0° and 90° [N/m]
     std::array<double, 2> tensionCurved; ///< secant at 1/6 strain [N/m]
     double shear;                        ///< factor of the squared tensor shear [N/m]
@@ -27,15 +27,55 @@ struct Row {
 constexpr auto woven = FabricKind::woven, knit = FabricKind::knit;
 
 constexpr Row rows[] = {
-    {"11oz-black-denim", "Stretch denim, black", woven, 0.324, {411, 2028}, {464, 2103}, 106.8, {64.2, 73.4, 97.0}, 0.8e-3},
+    {"11oz-black-denim",
+     "Stretch denim, black",
+     woven,
+     0.324,
+     {411, 2028},
+     {464, 2103},
+     106.8,
+     {64.2, 73.4, 97.0},
+     0.8e-3},
     {"camel-ponte-roma", "Ponte roma, camel", knit, 0.284, {62, 88}, {157, 384}, 63.8, {36.3, 33.0, 37.2}, 1.0e-3},
     {"gray-interlock", "Interlock, grey", knit, 0.187, {33, 69}, {93, 812}, 73.7, {23.2, 24.7, 14.3}, 0.8e-3},
     {"ivory-rib-knit", "Rib knit, ivory", knit, 0.276, {86, 130}, {105, 509}, 166.4, {46.2, 30.0, 32.2}, 1.1e-3},
-    {"navy-sparkle-sweat", "Sweatshirt knit, navy", knit, 0.224, {25, 6.5}, {64, 487}, 35.2, {59.5, 40.1, 45.6}, 1.0e-3},
-    {"pink-ribbon-brown", "Blanket cloth, brown", woven, 0.228, {303, 490}, {328, 720}, 60.5, {117.1, 87.5, 59.8}, 1.5e-3},
-    {"royal-target", "Trouser cloth, royal blue", woven, 0.220, {4033, 4070}, {4219, 4306}, 209.5, {125.4, 108.0, 125.4}, 0.5e-3},
+    {"navy-sparkle-sweat",
+     "Sweatshirt knit, navy",
+     knit,
+     0.224,
+     {25, 6.5},
+     {64, 487},
+     35.2,
+     {59.5, 40.1, 45.6},
+     1.0e-3},
+    {"pink-ribbon-brown",
+     "Blanket cloth, brown",
+     woven,
+     0.228,
+     {303, 490},
+     {328, 720},
+     60.5,
+     {117.1, 87.5, 59.8},
+     1.5e-3},
+    {"royal-target",
+     "Trouser cloth, royal blue",
+     woven,
+     0.220,
+     {4033, 4070},
+     {4219, 4306},
+     209.5,
+     {125.4, 108.0, 125.4},
+     0.5e-3},
     {"tango-red-jet-set", "Jacket cloth, red", knit, 0.113, {86, 343}, {150, 810}, 28.6, {14.3, 22.0, 20.3}, 0.4e-3},
-    {"white-dots-on-blk", "Tablecloth, white dots", woven, 0.128, {4004, 4055}, {4215, 4301}, 38.4, {51.7, 40.7, 31.3}, 0.3e-3},
+    {"white-dots-on-blk",
+     "Tablecloth, white dots",
+     woven,
+     0.128,
+     {4004, 4055},
+     {4215, 4301},
+     38.4,
+     {51.7, 40.7, 31.3},
+     0.3e-3},
     {"white-swim-solid", "Swimsuit knit, white", knit, 0.204, {96, 209}, {81, 249}, 121.5, {60.2, 58.8, 51.0}, 0.7e-3},
 };
 
@@ -97,12 +137,15 @@ std::vector<Fabric> measuredFabrics() {
     return fabrics;
 }
 
-std::vector<Fabric> everydayFabrics() { return {poplin(), chiffon(), twill(), denim(), jersey(), rib()}; }
+std::vector<Fabric> everydayFabrics() {
+    return {poplin(), chiffon(), twill(), denim(), jersey(), rib()};
+}
 
 Fabric poplin() {
-    Fabric f = named(measured("white-dots-on-blk"), "poplin", "Cotton poplin",
-                     "Tension as measured for white-dots-on-blk (Wang 2011). Density, shear, bending, thickness and friction "
-                     "are estimates for a shirting: bending near the lower quartile of 617 fabrics (DrapeTester 2022).");
+    Fabric f =
+        named(measured("white-dots-on-blk"), "poplin", "Cotton poplin",
+              "Tension as measured for white-dots-on-blk (Wang 2011). Density, shear, bending, thickness and friction "
+              "are estimates for a shirting: bending near the lower quartile of 617 fabrics (DrapeTester 2022).");
     f.arealDensity = 0.120;
     f.shearStiffness = 45;
     setBending(f, 8e-6, 5e-6, 6e-6);
@@ -111,9 +154,10 @@ Fabric poplin() {
 }
 
 Fabric chiffon() {
-    Fabric f = named({}, "chiffon", "Silk-like chiffon",
-                     "Density and bending as measured for row 3 of DrapeTester 2022. Tension, shear, thickness and friction "
-                     "are estimates.");
+    Fabric f =
+        named({}, "chiffon", "Silk-like chiffon",
+              "Density and bending as measured for row 3 of DrapeTester 2022. Tension, shear, thickness and friction "
+              "are estimates.");
     f.arealDensity = 0.0585;
     f.warpStiffness = f.weftStiffness = 1500;
     f.shearStiffness = 15;
@@ -133,15 +177,17 @@ Fabric twill() {
 }
 
 Fabric denim() {
-    return named(turned(measured("11oz-black-denim")), "denim", "Stretch denim",
-                 "11oz-black-denim (Wang 2011) with 90° as warp, because elastane lies in the weft. Thickness and friction "
-                 "are estimates.");
+    return named(
+        turned(measured("11oz-black-denim")), "denim", "Stretch denim",
+        "11oz-black-denim (Wang 2011) with 90° as warp, because elastane lies in the weft. Thickness and friction "
+        "are estimates.");
 }
 
 Fabric jersey() {
-    Fabric f = named(turned(measured("gray-interlock")), "jersey", "Cotton jersey",
-                     "Tension with its curves, shear and bending of gray-interlock (Wang 2011) with 90° as wale. The density "
-                     "is that of a lighter T-shirt; it, thickness and friction are estimates.");
+    Fabric f =
+        named(turned(measured("gray-interlock")), "jersey", "Cotton jersey",
+              "Tension with its curves, shear and bending of gray-interlock (Wang 2011) with 90° as wale. The density "
+              "is that of a lighter T-shirt; it, thickness and friction are estimates.");
     f.arealDensity = 0.160;
     f.thickness = 0.6e-3;
     return f;

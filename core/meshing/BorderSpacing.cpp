@@ -37,16 +37,15 @@ double loopArea(const BoundaryLoop& loop) {
 double distanceToChords(const EdgeNodes& list, const BoundaryNodes& nodes, Vec2 point) {
     double least = distance(nodes.points[at(list.front().node)], point);
     for (std::size_t k = 0; k + 1 < list.size() && least > 0; ++k)
-        least = std::min(
-            least, distance(point, geometry::closestOnSegment(nodes.points[at(list[k].node)],
-                                                              nodes.points[at(list[k + 1].node)], point)));
+        least = std::min(least, distance(point, geometry::closestOnSegment(nodes.points[at(list[k].node)],
+                                                                           nodes.points[at(list[k + 1].node)], point)));
     return least;
 }
 
 } // namespace
 
-double finestSpacingAlong(const PieceInput& piece, const PieceBoundary& boundary, const Lattice& lattice,
-                          int loop, int edge, double from, double to) {
+double finestSpacingAlong(const PieceInput& piece, const PieceBoundary& boundary, const Lattice& lattice, int loop,
+                          int edge, double from, double to) {
     const LoopBoundary& border = boundary.loops[at(loop)];
     const EdgeArc& arc = border.edges[at(edge)];
     const auto place = [&](double fraction) { return boundary.frame.frameOf(arc.arc.pointAt(fraction)); };
@@ -71,8 +70,7 @@ std::vector<SpacingSeed> seedsOf(const BoundaryNodes& nodes, const PieceFrame& f
             const BoundarySpot& spot = nodes.spots[r][i];
             int parts = 1;
             for (const Stretch& stretch : division.stretches(pieceIndex, spot.loop, spot.edge))
-                if (stretch.from <= spot.fraction && spot.fraction <= stretch.to)
-                    parts = division.count(stretch);
+                if (stretch.from <= spot.fraction && spot.fraction <= stretch.to) parts = division.count(stretch);
             const int a = nodes.rings[r][i], b = nodes.rings[r][(i + 1) % nodes.rings[r].size()];
             seeds.push_back({frame.frameOf(nodes.points[at(a)]), frame.frameOf(nodes.points[at(b)]),
                              parts > 1 ? seamDivision : loneSegmentDivision});
@@ -82,8 +80,7 @@ std::vector<SpacingSeed> seedsOf(const BoundaryNodes& nodes, const PieceFrame& f
 
 double exactArea(const PieceInput& piece) {
     double area = 0;
-    for (int loop = 0; loop < loopCount(piece); ++loop)
-        area += loopArea(loopOf(piece, loop)) * (loop == 0 ? 1 : -1);
+    for (int loop = 0; loop < loopCount(piece); ++loop) area += loopArea(loopOf(piece, loop)) * (loop == 0 ? 1 : -1);
     return area;
 }
 
@@ -103,9 +100,9 @@ double boundaryDeviation(const PieceInput& piece, const PieceBoundary& boundary,
                 for (const double part : {0.25, 0.5, 0.75}) {
                     const Vec2 on =
                         arc.arc.pointAt(list[k].fraction + (list[k + 1].fraction - list[k].fraction) * part);
-                    worst = std::max(worst, distance(on, geometry::closestOnSegment(
-                                                             nodes.points[at(list[k].node)],
-                                                             nodes.points[at(list[k + 1].node)], on)));
+                    worst = std::max(worst,
+                                     distance(on, geometry::closestOnSegment(nodes.points[at(list[k].node)],
+                                                                             nodes.points[at(list[k + 1].node)], on)));
                 }
         }
     return worst;

@@ -8,12 +8,12 @@
 namespace toile::meshing {
 
 /// The finest spacing of the cells along a stretch of the border [m].
-[[nodiscard]] double finestSpacingAlong(const PieceInput& piece, const PieceBoundary& boundary,
-                                        const Lattice& lattice, int loop, int edge, double from, double to);
+[[nodiscard]] double finestSpacingAlong(const PieceInput& piece, const PieceBoundary& boundary, const Lattice& lattice,
+                                        int loop, int edge, double from, double to);
 
 /// What the spacing of the frozen border nodes asks of the cells beside them.
-[[nodiscard]] std::vector<SpacingSeed> seedsOf(const BoundaryNodes& nodes, const PieceFrame& frame,
-                                               int pieceIndex, const BoundaryDivision& division);
+[[nodiscard]] std::vector<SpacingSeed> seedsOf(const BoundaryNodes& nodes, const PieceFrame& frame, int pieceIndex,
+                                               const BoundaryDivision& division);
 
 /// Area enclosed by the curves themselves [m²].
 [[nodiscard]] double exactArea(const PieceInput& piece);

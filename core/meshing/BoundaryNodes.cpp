@@ -14,8 +14,7 @@ std::size_t at(int i) {
 
 class Walk {
 public:
-    Walk(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,
-         const BoundaryDivision& division)
+    Walk(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary, const BoundaryDivision& division)
         : piece_(piece), pieceIndex_(pieceIndex), boundary_(boundary), division_(division) {}
 
     BoundaryNodes run() {
@@ -71,8 +70,7 @@ private:
 
     /// The node at a point; the current one if they are the same grid point.
     int nextNode(int current, Vec2 point) {
-        if (boundary_.frame.gridOf(boundary_.frame.frameOf(point)) == nodes_.grid[at(current)])
-            return current;
+        if (boundary_.frame.gridOf(boundary_.frame.frameOf(point)) == nodes_.grid[at(current)]) return current;
         return nodeFor(point);
     }
 
@@ -128,8 +126,7 @@ std::vector<BoundarySpot> spotsTooCoarse(const BoundaryNodes& nodes) {
             doubledArea += orientation(rings[r][0], rings[r][i], rings[r][i + 1]);
         const bool turned = r == 0 ? doubledArea <= 0 : doubledArea >= 0;
         const bool misplaced = r > 0 && !isInside(rings[0], rings[r].front());
-        if (rings[r].size() < 3 || turned)
-            spots.insert(spots.end(), nodes.spots[r].begin(), nodes.spots[r].end());
+        if (rings[r].size() < 3 || turned) spots.insert(spots.end(), nodes.spots[r].begin(), nodes.spots[r].end());
         if (misplaced) spots.insert(spots.end(), nodes.spots[0].begin(), nodes.spots[0].end());
     }
     if (!spots.empty()) return spots;

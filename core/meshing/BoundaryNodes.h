@@ -24,8 +24,8 @@ struct BoundaryNodes {
     std::vector<std::vector<BoundarySpot>> spots; ///< of the segment that starts at each ring node
 };
 
-[[nodiscard]] BoundaryNodes boundaryNodes(const PieceInput& piece, int pieceIndex,
-                                          const PieceBoundary& boundary, const BoundaryDivision& division);
+[[nodiscard]] BoundaryNodes boundaryNodes(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,
+                                          const BoundaryDivision& division);
 
 /// The grid points of the rings.
 [[nodiscard]] std::vector<std::vector<GridPoint>> ringPoints(const BoundaryNodes& nodes);

@@ -26,10 +26,8 @@ public:
 
     void run() {
         layer_.held.assign(boundary_.points.size() + fill_.inner.size(), 0);
-        if (lattice_.isUniform())
-            collectUniform();
-        else
-            collectDivided();
+        if (lattice_.isUniform()) collectUniform();
+        else collectDivided();
         addWalls();
         listStripNodes();
     }
@@ -40,10 +38,9 @@ private:
             for (int column = 0; column < lattice_.columns(); ++column) {
                 const int u = lattice_.activeDivision(column, row);
                 if (u == 0) continue;
-                const bool finerBeside = lattice_.horizontalDivision(column, row) > u ||
-                                         lattice_.horizontalDivision(column, row + 1) > u ||
-                                         lattice_.verticalDivision(column, row) > u ||
-                                         lattice_.verticalDivision(column + 1, row) > u;
+                const bool finerBeside =
+                    lattice_.horizontalDivision(column, row) > u || lattice_.horizontalDivision(column, row + 1) > u ||
+                    lattice_.verticalDivision(column, row) > u || lattice_.verticalDivision(column + 1, row) > u;
                 for (int b = 0; b < u; ++b)
                     for (int a = 0; a < u; ++a)
                         if (filled(column, row, a, b)) addCell(column, row, a, b, u, finerBeside);
@@ -58,8 +55,7 @@ private:
         for (int row = 0; row < rows; ++row)
             for (int column = 0; column < columns; ++column)
                 if (lattice_.active[at(lattice_.cell(column, row))])
-                    full[at(row + 1) * width + at(column + 1)] =
-                        fill_.filled[at(lattice_.firstCell(column, row))];
+                    full[at(row + 1) * width + at(column + 1)] = fill_.filled[at(lattice_.firstCell(column, row))];
         layer_.cells.reserve(at(static_cast<int>(std::count(full.begin(), full.end(), char{1}))));
         for (int row = 0; row < rows; ++row) {
             const int* below = fill_.node.data() + at(row * (columns + 1));
@@ -68,10 +64,10 @@ private:
                 const char* here = full.data() + at(row + 1) * width + at(column + 1);
                 if (!*here) continue;
                 const int main = lattice_.cell(column, row);
-                const Cell& cell = layer_.cells.emplace_back(
-                    Cell{{below[column], below[column + 1], above[column + 1], above[column]},
-                         lattice_.region[at(main)],
-                         lattice_.firstCell(column, row)});
+                const Cell& cell =
+                    layer_.cells.emplace_back(Cell{{below[column], below[column + 1], above[column + 1], above[column]},
+                                                   lattice_.region[at(main)],
+                                                   lattice_.firstCell(column, row)});
                 for (const int corner : cell.corners) layer_.held[at(corner)] = 1;
                 if (!here[-static_cast<std::ptrdiff_t>(width)]) addSide(cell, 0);
                 if (!here[1]) addSide(cell, 1);
@@ -90,8 +86,8 @@ private:
     }
 
     void addCell(int column, int row, int a, int b, int u, bool finerBeside) {
-        Cell cell{{nodeAt(column, row, a, b), nodeAt(column, row, a + 1, b),
-                   nodeAt(column, row, a + 1, b + 1), nodeAt(column, row, a, b + 1)},
+        Cell cell{{nodeAt(column, row, a, b), nodeAt(column, row, a + 1, b), nodeAt(column, row, a + 1, b + 1),
+                   nodeAt(column, row, a, b + 1)},
                   lattice_.region[at(lattice_.cell(column, row))],
                   lattice_.firstCell(column, row) + b * u + a};
         if (finerBeside) addHanging(column, row, a, b, u, cell);
@@ -109,8 +105,7 @@ private:
         if (a + 1 == u) hanging[1] = between(false, column + 1, row, b, u);
         if (b + 1 == u) hanging[2] = reversed(between(true, column, row + 1, a, u));
         if (a == 0) hanging[3] = reversed(between(false, column, row, b, u));
-        if (std::all_of(hanging.begin(), hanging.end(), [](const auto& side) { return side.empty(); }))
-            return;
+        if (std::all_of(hanging.begin(), hanging.end(), [](const auto& side) { return side.empty(); })) return;
         for (const auto& side : hanging)
             for (const int node : side) layer_.held[at(node)] = 1;
         cell.hanging = static_cast<int>(layer_.hanging.size());
@@ -124,8 +119,7 @@ private:
 
     /// The used nodes strictly inside part `part` of `parts` of a main side.
     [[nodiscard]] std::vector<int> between(bool horizontal, int column, int row, int part, int parts) const {
-        const int u =
-            horizontal ? lattice_.horizontalDivision(column, row) : lattice_.verticalDivision(column, row);
+        const int u = horizontal ? lattice_.horizontalDivision(column, row) : lattice_.verticalDivision(column, row);
         std::vector<int> nodes;
         for (int k = part * (u / parts) + 1; k < (part + 1) * (u / parts); ++k) {
             const int node = fill_.node[at(horizontal ? lattice_.horizontalNode(column, row, k)
@@ -138,14 +132,10 @@ private:
     /// The cell beside is filled and of the same division, so that the whole side is shared.
     [[nodiscard]] bool twin(int column, int row, int a, int b, int u) const {
         if (a >= 0 && b >= 0 && a < u && b < u) return filled(column, row, a, b);
-        if (a < 0)
-            --column, a = u - 1;
-        else if (a == u)
-            ++column, a = 0;
-        if (b < 0)
-            --row, b = u - 1;
-        else if (b == u)
-            ++row, b = 0;
+        if (a < 0) --column, a = u - 1;
+        else if (a == u) ++column, a = 0;
+        if (b < 0) --row, b = u - 1;
+        else if (b == u) ++row, b = 0;
         return lattice_.activeDivision(column, row) == u && filled(column, row, a, b);
     }
 
@@ -231,13 +221,11 @@ void triangulateStrip(const Lattice& lattice, CellMesh& mesh) {
     points.reserve(stripNodes.size());
     for (const int node : stripNodes) points.push_back(mesh.grid[at(node)]);
     const auto local = [&](int node) {
-        return static_cast<int>(std::lower_bound(stripNodes.begin(), stripNodes.end(), node) -
-                                stripNodes.begin());
+        return static_cast<int>(std::lower_bound(stripNodes.begin(), stripNodes.end(), node) - stripNodes.begin());
     };
     std::vector<Constraint> walls;
     walls.reserve(mesh.layer.walls.size());
-    for (const Constraint& wall : mesh.layer.walls)
-        walls.push_back({local(wall.from), local(wall.to), wall.fillLeft});
+    for (const Constraint& wall : mesh.layer.walls) walls.push_back({local(wall.from), local(wall.to), wall.fillLeft});
     std::vector<std::array<int, 3>> triangles = constrainedDelaunay(points, walls);
     turnFlatTriangles(points, triangles);
     mesh.triangles.clear();
@@ -248,8 +236,7 @@ void triangulateStrip(const Lattice& lattice, CellMesh& mesh) {
             triangle.nodes[i] = stripNodes[at(corners[i])];
             middle += mesh.position[at(triangle.nodes[i])] / 3.0;
         }
-        triangle.region =
-            lattice.region[at(lattice.cell(lattice.columnOf(middle.x), lattice.rowOf(middle.y)))];
+        triangle.region = lattice.region[at(lattice.cell(lattice.columnOf(middle.x), lattice.rowOf(middle.y)))];
         mesh.triangles.push_back(triangle);
     }
 }

@@ -42,12 +42,11 @@ struct CellMesh {
 [[nodiscard]] std::span<const int> hangingOn(const CellLayer& layer, const Cell& cell, std::size_t side);
 
 /// Collects the filled cells of a lattice with their hanging nodes, and the walls round them.
-[[nodiscard]] CellLayer cellLayer(const BoundaryNodes& boundary, const Lattice& lattice,
-                                  const GridFill& fill);
+[[nodiscard]] CellLayer cellLayer(const BoundaryNodes& boundary, const Lattice& lattice, const GridFill& fill);
 
 /// Nodes and cells, the strip still empty.
-[[nodiscard]] CellMesh cellMesh(const PieceFrame& frame, const BoundaryNodes& boundary,
-                                const Lattice& lattice, const GridFill& fill);
+[[nodiscard]] CellMesh cellMesh(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice,
+                                const GridFill& fill);
 
 /// Fills the strip with triangles.
 void triangulateStrip(const Lattice& lattice, CellMesh& mesh);

@@ -106,8 +106,7 @@ int Triangulation::indexOf(const Face& triangle, int vertex) const {
 void Triangulation::insertAll() {
     std::vector<int> order(static_cast<std::size_t>(callersPoints_));
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(),
-              [&](int a, int b) { return mortonCode(at(a)) < mortonCode(at(b)); });
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return mortonCode(at(a)) < mortonCode(at(b)); });
     for (const int vertex : order) insert(vertex);
 }
 
@@ -118,9 +117,8 @@ void Triangulation::insert(int vertex) {
         int onSide = none, beyond = none;
         for (int i = 0; i < 3; ++i) {
             const auto s = static_cast<std::size_t>(i);
-            const std::int64_t side =
-                orientation(at(face(f).corner[static_cast<std::size_t>(next(i))]),
-                            at(face(f).corner[static_cast<std::size_t>(previous(i))]), p);
+            const std::int64_t side = orientation(at(face(f).corner[static_cast<std::size_t>(next(i))]),
+                                                  at(face(f).corner[static_cast<std::size_t>(previous(i))]), p);
             if (side == 0) onSide = i;
             if (side < 0 && face(f).neighbour[s] != from) beyond = face(f).neighbour[s];
         }
@@ -129,10 +127,8 @@ void Triangulation::insert(int vertex) {
             f = beyond;
             continue;
         }
-        if (onSide != none)
-            splitSide(f, onSide, vertex);
-        else
-            splitFace(f, vertex);
+        if (onSide != none) splitSide(f, onSide, vertex);
+        else splitFace(f, vertex);
         legalise(vertex);
         last_ = incident_[static_cast<std::size_t>(vertex)];
         return;
@@ -165,8 +161,7 @@ void Triangulation::splitSide(int f, int i, int vertex) {
     const int a = pick(old, i), b = pick(old, next(i)), c = pick(old, previous(i)), d = pick(oldOther, j);
     const bool fixed = old.fixed[static_cast<std::size_t>(i)];
     const auto outer = [](const Face& t, int k) {
-        return std::pair(t.neighbour[static_cast<std::size_t>(k)],
-                         bool{t.fixed[static_cast<std::size_t>(k)]});
+        return std::pair(t.neighbour[static_cast<std::size_t>(k)], bool{t.fixed[static_cast<std::size_t>(k)]});
     };
     const auto ab = outer(old, previous(i)), ca = outer(old, next(i));
     const auto bd = outer(oldOther, next(j)), dc = outer(oldOther, previous(j));
@@ -325,12 +320,9 @@ void Triangulation::flipAway(int from, int to, std::deque<std::pair<int, int>>& 
         flip(side.face, side.index);
         const std::int64_t nearSide = orientation(at(from), at(to), at(near));
         const std::int64_t farSide = orientation(at(from), at(to), at(far));
-        if (nearSide < 0 && farSide > 0)
-            crossed.emplace_back(near, far);
-        else if (nearSide > 0 && farSide < 0)
-            crossed.emplace_back(far, near);
-        else
-            created.emplace_back(near, far);
+        if (nearSide < 0 && farSide > 0) crossed.emplace_back(near, far);
+        else if (nearSide > 0 && farSide < 0) crossed.emplace_back(far, near);
+        else created.emplace_back(near, far);
     }
     fix(from, to);
     for (bool changed = true; changed;) {
@@ -387,14 +379,12 @@ std::vector<std::array<int, 3>> constrainedDelaunay(std::span<const GridPoint> p
     std::vector<Constraint> ordered(constraints.begin(), constraints.end());
     std::sort(ordered.begin(), ordered.end(), [&](const Constraint& a, const Constraint& b) {
         const auto key = [&](const Constraint& c) {
-            const GridPoint p = points[static_cast<std::size_t>(c.from)],
-                            q = points[static_cast<std::size_t>(c.to)];
+            const GridPoint p = points[static_cast<std::size_t>(c.from)], q = points[static_cast<std::size_t>(c.to)];
             return std::pair(std::min(p, q), std::max(p, q));
         };
         return key(a) < key(b);
     });
-    for (const Constraint& constraint : ordered)
-        triangulation.insertConstraint(constraint.from, constraint.to);
+    for (const Constraint& constraint : ordered) triangulation.insertConstraint(constraint.from, constraint.to);
     return triangulation.filled(constraints);
 }
 

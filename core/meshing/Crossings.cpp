@@ -54,10 +54,8 @@ private:
         if (members.size() <= few || depth >= deepest) return compareAll(members);
         const bool wide = box.highX - box.lowX >= box.highY - box.lowY;
         GridBox low = box, high = box;
-        if (wide)
-            low.highX = high.lowX = (box.lowX + box.highX) / 2;
-        else
-            low.highY = high.lowY = (box.lowY + box.highY) / 2;
+        if (wide) low.highX = high.lowX = (box.lowX + box.highX) / 2;
+        else low.highY = high.lowY = (box.lowY + box.highY) / 2;
         const std::vector<int> lower = within(members, low), upper = within(members, high);
         const std::size_t most = members.size() - members.size() / 8;
         if (lower.size() > most && upper.size() > most) return compareAll(members);
@@ -101,8 +99,8 @@ std::vector<RingSegment> segmentsOf(std::span<const std::vector<GridPoint>> ring
     for (std::size_t r = 0; r < rings.size(); ++r) {
         const auto& ring = rings[r];
         for (std::size_t i = 0; i < ring.size(); ++i)
-            segments.push_back({ring[i], ring[(i + 1) % ring.size()], static_cast<int>(r),
-                                static_cast<int>(i), static_cast<int>(ring.size()), 0});
+            segments.push_back({ring[i], ring[(i + 1) % ring.size()], static_cast<int>(r), static_cast<int>(i),
+                                static_cast<int>(ring.size()), 0});
     }
     return segments;
 }

@@ -39,8 +39,7 @@ private:
         for (int k = i + 1; k < j; ++k) {
             const double own = smallestAngle(pointAt(i), pointAt(k), pointAt(j));
             const double value = std::min({own, best_[at(i * count_ + k)], best_[at(k * count_ + j)]});
-            if (value <= best + 1e-12)
-                continue; // on a draw the first: mirror images differ in it, but not in angles
+            if (value <= best + 1e-12) continue; // on a draw the first: mirror images differ in it, but not in angles
             best = value;
             apex_[at(i * count_ + j)] = k;
         }

@@ -43,8 +43,7 @@ void collectMasters(const std::map<int, Masters>& direct, int node, double weigh
         result[node] += weight;
         return;
     }
-    for (const auto& [master, share] : found->second)
-        collectMasters(direct, master, weight * share, depth + 1, result);
+    for (const auto& [master, share] : found->second) collectMasters(direct, master, weight * share, depth + 1, result);
 }
 
 using KeyedNode = std::pair<std::uint64_t, int>;
@@ -118,8 +117,8 @@ FinishedPiece finishedPiece(const PieceFrame& frame, const BoundaryNodes& bounda
     for (std::size_t i = 0; i < cells.position.size(); ++i) {
         const std::size_t n = at(numbers[i]);
         const Vec2 material = mesh.material[n] = frame.materialFromFrame(cells.position[i]);
-        mesh.nodes[n] = static_cast<int>(i) < cells.boundaryCount ? boundary.points[i]
-                                                                  : weft * material.x + warp * material.y;
+        mesh.nodes[n] =
+            static_cast<int>(i) < cells.boundaryCount ? boundary.points[i] : weft * material.x + warp * material.y;
     }
     mesh.rectangles.reserve(cells.layer.cells.size());
     for (const Cell& cell : cells.layer.cells) {

@@ -44,8 +44,7 @@ FixedPoints ownPoints(const MeshInput& input, const std::vector<PieceBoundary>& 
                 auto& own = edges.emplace_back(std::vector<double>{0, 1});
                 const EdgeArc& arc = boundaries[p].loops[at(loop)].edges[e];
                 if (arc.collapsed) continue;
-                for (const double notch : loopOf(input.pieces[p], loop)[e].notches)
-                    addPoint(own, notch, arc.length);
+                for (const double notch : loopOf(input.pieces[p], loop)[e].notches) addPoint(own, notch, arc.length);
             }
         }
     }
@@ -63,15 +62,13 @@ std::vector<double> pointsAlong(const std::vector<double>& points, const ChainPa
     const double tolerance = samePlace / edgeLength;
     std::vector<double> along;
     for (const double fraction : points)
-        if (fraction >= part.part.from - tolerance && fraction <= part.part.to + tolerance)
-            along.push_back(fraction);
+        if (fraction >= part.part.from - tolerance && fraction <= part.part.to + tolerance) along.push_back(fraction);
     if (part.part.reversed) std::reverse(along.begin(), along.end());
     return along;
 }
 
 /// Carries the fixed points of one side of a seam to the other; says whether anything was new.
-bool carryAcross(const CheckedSeam& seam, int side, const std::vector<PieceBoundary>& boundaries,
-                 FixedPoints& points) {
+bool carryAcross(const CheckedSeam& seam, int side, const std::vector<PieceBoundary>& boundaries, FixedPoints& points) {
     bool added = false;
     const SeamChain& other = seam.sides[at(1 - side)];
     for (const ChainPart& part : seam.sides[at(side)].parts) {
@@ -80,8 +77,7 @@ bool carryAcross(const CheckedSeam& seam, int side, const std::vector<PieceBound
             const double chain =
                 seam.across(side, std::clamp(part.chainOf(fraction), part.start, part.start + part.length));
             for (const ChainPart& target : other.parts) {
-                if (chain < target.start + samePlace || chain > target.start + target.length - samePlace)
-                    continue;
+                if (chain < target.start + samePlace || chain > target.start + target.length - samePlace) continue;
                 const EdgeArc& arc = arcOf(boundaries, target.part.piece, target.part.loop, target.part.edge);
                 added |= addPoint(pointsOf(points, target.part), target.fractionOf(chain), arc.length);
             }
@@ -102,8 +98,7 @@ void carryAcrossPiece(const PieceInput& piece, const PieceBoundary& boundary,
             if (sewn[at(span.loop)][at(span.edge)]) continue;
             for (const double place : places)
                 if (place > span.low() && place < span.high())
-                    addPoint(points[at(span.loop)][at(span.edge)], span.fractionOf(place),
-                             span.high() - span.low());
+                    addPoint(points[at(span.loop)][at(span.edge)], span.fractionOf(place), span.high() - span.low());
         }
     }
 }
@@ -125,8 +120,7 @@ void addLineCrossings(const PieceInput& piece, const PieceBoundary& boundary,
 std::vector<std::vector<char>> sewnEdges(const PieceInput& piece, int pieceIndex,
                                          const std::vector<CheckedSeam>& seams) {
     std::vector<std::vector<char>> sewn;
-    for (int loop = 0; loop < loopCount(piece); ++loop)
-        sewn.emplace_back(loopOf(piece, loop).size(), char{0});
+    for (int loop = 0; loop < loopCount(piece); ++loop) sewn.emplace_back(loopOf(piece, loop).size(), char{0});
     for (const CheckedSeam& seam : seams)
         for (const SeamChain& side : seam.sides)
             for (const ChainPart& part : side.parts)

@@ -42,9 +42,7 @@ void turnFlatTriangles(const std::vector<GridPoint>& points, std::vector<std::ar
         for (std::size_t i = 0; i < 3; ++i) owner[{triangles[t][i], triangles[t][(i + 1) % 3]}] = t;
     };
     for (std::size_t t = 0; t < triangles.size(); ++t) enter(t);
-    const auto area = [&](int a, int b, int c) {
-        return orientation(points[at(a)], points[at(b)], points[at(c)]);
-    };
+    const auto area = [&](int a, int b, int c) { return orientation(points[at(a)], points[at(b)], points[at(c)]); };
     for (const std::size_t t : flat) {
         const int corner = flatCorner(points, triangles[t]);
         if (corner < 0) continue; // a neighbour's turn has mended it
@@ -53,8 +51,8 @@ void turnFlatTriangles(const std::vector<GridPoint>& points, std::vector<std::ar
         const auto beyond = owner.find({b, a});
         if (beyond == owner.end()) continue;
         const std::size_t other = beyond->second;
-        const int far = *std::find_if(triangles[other].begin(), triangles[other].end(),
-                                      [&](int n) { return n != a && n != b; });
+        const int far =
+            *std::find_if(triangles[other].begin(), triangles[other].end(), [&](int n) { return n != a && n != b; });
         if (area(apex, a, far) <= 0 || area(apex, far, b) <= 0) continue;
         owner.erase({a, b});
         owner.erase({b, a});

@@ -40,8 +40,8 @@ struct EdgeNode {
 using EdgeNodes = std::vector<EdgeNode>;
 
 struct PieceMesh {
-    std::vector<Vec2> nodes;      ///< in the piece's coordinates [m]
-    std::vector<Vec2> material;   ///< u weft, v warp [m]: the piece turned so that warp is +y
+    std::vector<Vec2> nodes;    ///< in the piece's coordinates [m]
+    std::vector<Vec2> material; ///< u weft, v warp [m]: the piece turned so that warp is +y
     std::vector<Rectangle> rectangles;
     std::vector<Triangle> triangles;
     std::vector<SlaveNode> slaves;
@@ -92,7 +92,7 @@ struct PieceReport {
 
 struct SeamReport {
     std::string label;
-    int countA = 0, countB = 0; ///< sewing points of each side
+    int countA = 0, countB = 0;                ///< sewing points of each side
     double lengthA = 0, lengthB = 0, ease = 0; ///< ease as declared [m]
     double largestSpacingMismatch = 0;         ///< largest |a − b| / max(a, b) of two sewn stretches [–]
 };
@@ -102,7 +102,8 @@ struct SeamReport {
 struct SewnAlike {
     bool length = false; ///< but for the declared ease, within max(1 mm, 0.3 %)
     bool count = false;
-    bool unit = false; ///< every two sewn stretches differ by no more than the lengths of both sides, and 2 % for chords
+    bool unit =
+        false; ///< every two sewn stretches differ by no more than the lengths of both sides, and 2 % for chords
 };
 
 [[nodiscard]] SewnAlike sewnAlike(const SeamReport& seam);

@@ -7,18 +7,15 @@
 namespace toile::meshing {
 namespace {
 
-constexpr double leastLineGap =
-    0.5; ///< of the spacing: fixed points nearer than this cannot both have a line [–]
+constexpr double leastLineGap = 0.5; ///< of the spacing: fixed points nearer than this cannot both have a line [–]
 
 /// Wishes for one place become one; rising.
 std::vector<LineWish> joined(std::vector<LineWish> wishes, double tolerance) {
     std::sort(wishes.begin(), wishes.end(), [](const LineWish& a, const LineWish& b) { return a.at < b.at; });
     std::vector<LineWish> result;
     for (const LineWish& wish : wishes)
-        if (!result.empty() && wish.at - result.back().at <= tolerance)
-            result.back().weight += wish.weight;
-        else
-            result.push_back(wish);
+        if (!result.empty() && wish.at - result.back().at <= tolerance) result.back().weight += wish.weight;
+        else result.push_back(wish);
     return result;
 }
 
@@ -47,12 +44,10 @@ GrainStretches grainStretches(const PieceInput& piece, const PieceBoundary& boun
     GrainStretches stretches;
     for (const int axis : {0, 1})
         for (const GrainSpan& span : grainSpans(piece, boundary, axis)) {
-            const auto& own =
-                fixedPoints[static_cast<std::size_t>(span.loop)][static_cast<std::size_t>(span.edge)];
+            const auto& own = fixedPoints[static_cast<std::size_t>(span.loop)][static_cast<std::size_t>(span.edge)];
             for (std::size_t i = 0; i + 1 < own.size(); ++i) {
                 const auto [low, high] = std::minmax({span.at(own[i]), span.at(own[i + 1])});
-                stretches[static_cast<std::size_t>(axis)].push_back(
-                    {low, high, partsOf(high - low, piece.spacing)});
+                stretches[static_cast<std::size_t>(axis)].push_back({low, high, partsOf(high - low, piece.spacing)});
             }
         }
     return stretches;
@@ -87,8 +82,7 @@ std::vector<double> linePlaces(const PieceInput& piece, const PieceFrame& frame,
         for (const double end : {stretch.low, stretch.high})
             wishes.push_back({end, 0.5 * (stretch.high - stretch.low)});
     wishes = joined(std::move(wishes), 2 * frame.unit);
-    for (LineWish& wish : wishes)
-        wish.weight = std::round(wish.weight / (64 * frame.unit)); // rounding decides nothing
+    for (LineWish& wish : wishes) wish.weight = std::round(wish.weight / (64 * frame.unit)); // rounding decides nothing
     std::sort(wishes.begin(), wishes.end(), [](const LineWish& a, const LineWish& b) {
         return a.weight != b.weight ? a.weight > b.weight : a.at < b.at;
     });

@@ -29,8 +29,7 @@ struct GrainSpan {
 };
 
 /// The spans of a piece that are no shorter than its spacing.
-[[nodiscard]] std::vector<GrainSpan> grainSpans(const PieceInput& piece, const PieceBoundary& boundary,
-                                                int axis);
+[[nodiscard]] std::vector<GrainSpan> grainSpans(const PieceInput& piece, const PieceBoundary& boundary, int axis);
 
 /// A stretch of a span between fixed points, divided into equal parts.
 struct GrainStretch {

@@ -175,8 +175,7 @@ private:
         for (int row = 0; row < lattice_.rows(); ++row) {
             int finest = 1;
             for (int column = 0; column < lattice_.columns(); ++column)
-                for (const int r : {row, row - 1})
-                    finest = std::max(finest, lattice_.activeDivision(column, r));
+                for (const int r : {row, row - 1}) finest = std::max(finest, lattice_.activeDivision(column, r));
             for (int b = 0; b < finest; ++b) {
                 const std::int32_t y = frame_.gridOf({0, lattice_.yAt(row, b, finest)}).y;
                 crossingsOf(y, byRow_[at(row)], segments_, crossings);
@@ -192,8 +191,7 @@ private:
         for (int column = 0; column <= lattice_.columns(); ++column) {
             if (b == 0) {
                 const int u = column < lattice_.columns() ? lattice_.horizontalDivision(column, row) : 1;
-                if (column == lattice_.columns())
-                    mark(lattice_.verticalNode(column, row, 0));
+                if (column == lattice_.columns()) mark(lattice_.verticalNode(column, row, 0));
                 else
                     for (int k = 0; k < u; ++k) mark(lattice_.horizontalNode(column, row, k));
                 continue;
@@ -243,11 +241,10 @@ private:
             const auto [lowY, highY] = std::minmax(segment.a.y, segment.b.y);
             const int column0 = IntegerLines::interval(lines_.x, lowX),
                       column1 = IntegerLines::interval(lines_.x, highX);
-            const int row0 = IntegerLines::interval(lines_.y, lowY),
-                      row1 = IntegerLines::interval(lines_.y, highY);
+            const int row0 = IntegerLines::interval(lines_.y, lowY), row1 = IntegerLines::interval(lines_.y, highY);
             for (int row = std::max(0, row0 - 1); row <= std::min(lattice_.rows() - 1, row1 + 1); ++row)
-                for (int column = std::max(0, column0 - 1);
-                     column <= std::min(lattice_.columns() - 1, column1 + 1); ++column)
+                for (int column = std::max(0, column0 - 1); column <= std::min(lattice_.columns() - 1, column1 + 1);
+                     ++column)
                     clearCell(segment, column, row);
         }
     }
@@ -374,8 +371,7 @@ private:
             for (int column = 0; column < lattice_.columns(); ++column) {
                 if (!lattice_.active[at(lattice_.cell(column, row))]) continue;
                 const int low = row * width + column, high = low + width;
-                const bool used =
-                    (node[low] | node[low + 1] | node[high] | node[high + 1]) >= 0; // no sign bit is set
+                const bool used = (node[low] | node[low + 1] | node[high] | node[high + 1]) >= 0; // no sign bit is set
                 fill_.filled[cell] = used && !blocked_[cell] && isFilled({low, low + 1, high + 1, high});
                 ++cell;
             }
@@ -396,20 +392,17 @@ private:
         for (int i = 0; i < 4; ++i) {
             const int node = fill_.node[at(corners[at(i)])];
             if (node < 0) return false;
-            if (node < boundaryCount)
-                onBorder = i;
-            else
-                return everyCornerUsed(corners); // strictly inside, and nothing comes between
+            if (node < boundaryCount) onBorder = i;
+            else return everyCornerUsed(corners); // strictly inside, and nothing comes between
         }
         const auto cornerNode = [&](int i) { return at(fill_.node[at(corners[at(i % 4)])]); };
         const std::size_t node = cornerNode(onBorder);
-        return insideCorner(boundary_.grid[at(before_[node])], boundary_.grid[node],
-                            boundary_.grid[at(after_[node])], boundary_.grid[cornerNode(onBorder + 2)]);
+        return insideCorner(boundary_.grid[at(before_[node])], boundary_.grid[node], boundary_.grid[at(after_[node])],
+                            boundary_.grid[cornerNode(onBorder + 2)]);
     }
 
     [[nodiscard]] bool everyCornerUsed(const std::array<int, 4>& corners) const {
-        return std::all_of(corners.begin(), corners.end(),
-                           [&](int corner) { return fill_.node[at(corner)] >= 0; });
+        return std::all_of(corners.begin(), corners.end(), [&](int corner) { return fill_.node[at(corner)] >= 0; });
     }
 
     const PieceFrame& frame_;
@@ -428,8 +421,7 @@ private:
 
 } // namespace
 
-void markActiveCells(const PieceFrame& frame, const std::vector<std::vector<GridPoint>>& rings,
-                     Lattice& lattice) {
+void markActiveCells(const PieceFrame& frame, const std::vector<std::vector<GridPoint>>& rings, Lattice& lattice) {
     const IntegerLines lines(frame, lattice);
     std::vector<Segment> segments;
     for (const RingSegment& s : segmentsOf(rings)) segments.push_back({s.a, s.b, 0, 0});
@@ -451,14 +443,13 @@ void markActiveCells(const PieceFrame& frame, const std::vector<std::vector<Grid
         const int row1 = IntegerLines::interval(lines.y, std::int64_t{highY} + sameNode);
         const int column1 = IntegerLines::interval(lines.x, std::int64_t{highX} + sameNode);
         for (int row = IntegerLines::interval(lines.y, std::int64_t{lowY} - sameNode); row <= row1; ++row)
-            for (int column = IntegerLines::interval(lines.x, std::int64_t{lowX} - sameNode);
-                 column <= column1; ++column)
+            for (int column = IntegerLines::interval(lines.x, std::int64_t{lowX} - sameNode); column <= column1;
+                 ++column)
                 lattice.active[at(lattice.cell(column, row))] = 1;
     }
 }
 
-GridFill fillLattice(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice,
-                     double cleared) {
+GridFill fillLattice(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice, double cleared) {
     return Filler(frame, boundary, lattice, cleared).run();
 }
 

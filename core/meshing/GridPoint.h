@@ -40,8 +40,7 @@ constexpr bool betweenInclusive(std::int32_t a, std::int32_t b, std::int32_t val
 
 /// The point lies on the closed segment.
 constexpr bool onSegment(GridPoint a, GridPoint b, GridPoint point) {
-    return orientation(a, b, point) == 0 && betweenInclusive(a.x, b.x, point.x) &&
-           betweenInclusive(a.y, b.y, point.y);
+    return orientation(a, b, point) == 0 && betweenInclusive(a.x, b.x, point.x) && betweenInclusive(a.y, b.y, point.y);
 }
 
 constexpr int signOf(std::int64_t value) {
@@ -73,9 +72,7 @@ constexpr std::uint64_t mortonCode(GridPoint p) {
         v = (v | (v << 2)) & 0x3333333333333333ULL;
         return (v | (v << 1)) & 0x5555555555555555ULL;
     };
-    const auto unsignedOf = [](std::int32_t v) {
-        return static_cast<std::uint64_t>(std::int64_t{v} + gridLimit);
-    };
+    const auto unsignedOf = [](std::int32_t v) { return static_cast<std::uint64_t>(std::int64_t{v} + gridLimit); };
     return spread(unsignedOf(p.x)) | (spread(unsignedOf(p.y)) << 1);
 }
 

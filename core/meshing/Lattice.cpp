@@ -5,8 +5,7 @@
 
 namespace toile::meshing {
 
-Lattice::Lattice(std::vector<double> mainX, std::vector<double> mainY)
-    : x_(std::move(mainX)), y_(std::move(mainY)) {
+Lattice::Lattice(std::vector<double> mainX, std::vector<double> mainY) : x_(std::move(mainX)), y_(std::move(mainY)) {
     const std::size_t cells = size(columns()) * size(rows());
     division.assign(cells, 1);
     region.assign(cells, -1);

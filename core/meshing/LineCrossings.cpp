@@ -12,8 +12,8 @@ namespace {
 constexpr double leastGap = 1e-3; ///< of the spacing [–]
 
 /// Parameters at which a coordinate of the curve passes one of the lines between two parameters.
-void addCrossings(const Curve& curve, const PieceFrame& frame, int axis, const std::vector<double>& lines,
-                  double from, double to, std::vector<double>& parameters) {
+void addCrossings(const Curve& curve, const PieceFrame& frame, int axis, const std::vector<double>& lines, double from,
+                  double to, std::vector<double>& parameters) {
     const auto coordinate = [&](double t) { return along(frame.frameOf(geometry::pointAt(curve, t)), axis); };
     const double start = coordinate(from), end = coordinate(to);
     const auto first = std::lower_bound(lines.begin(), lines.end(), std::min(start, end));
@@ -27,10 +27,9 @@ void addCrossings(const Curve& curve, const PieceFrame& frame, int axis, const s
     }
 }
 
-std::vector<double> crossingsOf(const Curve& curve, const EdgeArc& arc, const PieceFrame& frame,
-                                const MainLines& lines, double spacing) {
-    const int parts =
-        std::holds_alternative<geometry::LineShape>(curve.shape) ? 1 : 256; // curves turn back less often
+std::vector<double> crossingsOf(const Curve& curve, const EdgeArc& arc, const PieceFrame& frame, const MainLines& lines,
+                                double spacing) {
+    const int parts = std::holds_alternative<geometry::LineShape>(curve.shape) ? 1 : 256; // curves turn back less often
     std::vector<double> parameters;
     for (int k = 0; k < parts; ++k)
         for (const int axis : {0, 1})
@@ -49,17 +48,16 @@ std::vector<double> crossingsOf(const Curve& curve, const EdgeArc& arc, const Pi
 
 } // namespace
 
-std::vector<std::vector<std::vector<double>>> lineCrossings(const PieceInput& piece,
-                                                            const PieceBoundary& boundary) {
+std::vector<std::vector<std::vector<double>>> lineCrossings(const PieceInput& piece, const PieceBoundary& boundary) {
     const MainLines lines = mainLines(piece, boundary, {}, {});
     std::vector<std::vector<std::vector<double>>> crossings;
     for (int loop = 0; loop < loopCount(piece); ++loop) {
         auto& edges = crossings.emplace_back();
         for (std::size_t e = 0; e < loopOf(piece, loop).size(); ++e) {
             const EdgeArc& arc = boundary.loops[static_cast<std::size_t>(loop)].edges[e];
-            edges.push_back(arc.collapsed ? std::vector<double>{}
-                                          : crossingsOf(loopOf(piece, loop)[e].curve, arc, boundary.frame,
-                                                        lines, piece.spacing));
+            edges.push_back(arc.collapsed
+                                ? std::vector<double>{}
+                                : crossingsOf(loopOf(piece, loop)[e].curve, arc, boundary.frame, lines, piece.spacing));
         }
     }
     return crossings;

@@ -34,9 +34,8 @@ std::vector<double> evenLines(double anchor, double interval, double low, double
 }
 
 /// Lines at `places` and in equal parts between them, as the nodes of stretches lie; on beyond both ends.
-std::vector<double> linesThroughNodes(const std::vector<double>& places,
-                                      const std::vector<GrainStretch>& stretches, double low, double high,
-                                      const LineSettings& settings) {
+std::vector<double> linesThroughNodes(const std::vector<double>& places, const std::vector<GrainStretch>& stretches,
+                                      double low, double high, const LineSettings& settings) {
     std::vector<double> inner;
     double firstGap = settings.spacing, lastGap = settings.spacing;
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
@@ -68,12 +67,10 @@ std::ptrdiff_t lineAt(const std::vector<double>& lines, double at, double tolera
 
 /// Every node of the stretch lies on a line, and every line that crosses it meets a node.
 bool carries(const std::vector<double>& lines, const GrainStretch& stretch, double tolerance) {
-    const std::ptrdiff_t first = lineAt(lines, stretch.low, tolerance),
-                         last = lineAt(lines, stretch.high, tolerance);
+    const std::ptrdiff_t first = lineAt(lines, stretch.low, tolerance), last = lineAt(lines, stretch.high, tolerance);
     if (first < 0 || last - first != stretch.parts) return false;
     for (std::ptrdiff_t k = 1; k < stretch.parts; ++k) {
-        const double node =
-            stretch.low + (stretch.high - stretch.low) * static_cast<double>(k) / stretch.parts;
+        const double node = stretch.low + (stretch.high - stretch.low) * static_cast<double>(k) / stretch.parts;
         if (std::abs(lines[static_cast<std::size_t>(first + k)] - node) > tolerance) return false;
     }
     return true;
@@ -94,8 +91,7 @@ double carried(const std::vector<double>& lines, const std::vector<LineWish>& st
 /// Even lines at h = W/⌈W/ε⌉ with lines on the two longest grain-parallel edges, or at the nodes of a stretch
 /// across; or lines through the fixed points of all stretches, in equal parts between them: whichever carries
 /// most of the border, even lines first. Without straight edges they are laid symmetrically.
-std::vector<double> regularLines(const std::vector<LineWish>& straight,
-                                 const std::vector<GrainStretch>& stretches,
+std::vector<double> regularLines(const std::vector<LineWish>& straight, const std::vector<GrainStretch>& stretches,
                                  const std::vector<double>& places, double low, double high,
                                  const LineSettings& settings) {
     constexpr std::size_t enough = 40; // candidates; a comb has as many stretches as teeth
@@ -141,15 +137,12 @@ struct Wish {
 
 /// Lines at the wishes, in equal parts between them; wishes nearer than `merge` to a stronger one are
 /// dropped.
-std::vector<double> linesThrough(std::vector<Wish> wishes, double merge, double spacing, double low,
-                                 double high) {
+std::vector<double> linesThrough(std::vector<Wish> wishes, double merge, double spacing, double low, double high) {
     std::sort(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) { return a.at < b.at; });
     std::vector<Wish> kept;
     for (const Wish& wish : wishes) {
-        if (kept.empty() || wish.at - kept.back().at >= merge)
-            kept.push_back(wish);
-        else if (wish.weight > kept.back().weight)
-            kept.back() = wish;
+        if (kept.empty() || wish.at - kept.back().at >= merge) kept.push_back(wish);
+        else if (wish.weight > kept.back().weight) kept.back() = wish;
     }
     if (kept.empty()) return evenLines(low, spacing, low, high);
     std::vector<double> lines = evenLines(kept.front().at, spacing, low, kept.front().at);
@@ -180,8 +173,8 @@ void addRegionLines(const PieceInput& piece, const PieceFrame& frame, int axis, 
     }
 }
 
-std::vector<double> exactBorderLines(const std::vector<LineWish>& straight, std::vector<Wish> wishes,
-                                     double low, double high, double spacing) {
+std::vector<double> exactBorderLines(const std::vector<LineWish>& straight, std::vector<Wish> wishes, double low,
+                                     double high, double spacing) {
     if (!straight.empty()) {
         wishes.push_back({straight.front().at, 3});
         if (const auto partner = partnerOf(straight, high - low, spacing)) wishes.push_back({*partner, 3});
@@ -190,8 +183,8 @@ std::vector<double> exactBorderLines(const std::vector<LineWish>& straight, std:
 }
 
 /// Corners that turn by more than 15°, notches and seam ends; region corners.
-void addFeatures(const PieceInput& piece, const PieceBoundary& boundary, const std::vector<Vec2>& seamEnds,
-                 int axis, std::vector<Wish>& wishes) {
+void addFeatures(const PieceInput& piece, const PieceBoundary& boundary, const std::vector<Vec2>& seamEnds, int axis,
+                 std::vector<Wish>& wishes) {
     const double sharp = std::cos(15 * std::numbers::pi / 180);
     for (int loop = 0; loop < loopCount(piece); ++loop) {
         const BoundaryLoop& edges = loopOf(piece, loop);
@@ -201,31 +194,26 @@ void addFeatures(const PieceInput& piece, const PieceBoundary& boundary, const s
             if (dot(in, out) < sharp * length(in) * length(out))
                 wishes.push_back({along(boundary.frame.frameOf(curve.end), axis), 2});
             for (const double notch : edges[e].notches)
-                wishes.push_back(
-                    {along(boundary.frame.frameOf(
-                               boundary.loops[static_cast<std::size_t>(loop)].edges[e].arc.pointAt(notch)),
-                           axis),
-                     1});
+                wishes.push_back({along(boundary.frame.frameOf(
+                                            boundary.loops[static_cast<std::size_t>(loop)].edges[e].arc.pointAt(notch)),
+                                        axis),
+                                  1});
         }
     }
     for (const Vec2 end : seamEnds) wishes.push_back({along(end, axis), 1});
     for (const RegionInput& region : piece.regions)
-        for (const Vec2 corner : region.outline)
-            wishes.push_back({along(boundary.frame.frameOf(corner), axis), 1});
+        for (const Vec2 corner : region.outline) wishes.push_back({along(boundary.frame.frameOf(corner), axis), 1});
 }
 
-void addAuthoredVertices(const PieceInput& piece, const PieceFrame& frame, int axis,
-                         std::vector<Wish>& wishes) {
+void addAuthoredVertices(const PieceInput& piece, const PieceFrame& frame, int axis, std::vector<Wish>& wishes) {
     for (int loop = 0; loop < loopCount(piece); ++loop)
         for (const BoundaryEdge& edge : loopOf(piece, loop))
             wishes.push_back({along(frame.frameOf(edge.curve.start), axis), 1});
 }
 
 std::vector<double> linesOfAxis(const PieceInput& piece, const PieceBoundary& boundary,
-                                const std::vector<Vec2>& seamEnds, const GrainStretches& stretches,
-                                int axis) {
-    const double low = along(boundary.box.low, axis), high = along(boundary.box.high, axis),
-                 spacing = piece.spacing;
+                                const std::vector<Vec2>& seamEnds, const GrainStretches& stretches, int axis) {
+    const double low = along(boundary.box.low, axis), high = along(boundary.box.high, axis), spacing = piece.spacing;
     std::vector<Wish> wishes;
     if (piece.rule == LineRule::paper) {
         addAuthoredVertices(piece, boundary.frame, axis, wishes);

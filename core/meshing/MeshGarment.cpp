@@ -52,8 +52,8 @@ Result<void> nodesApart(const MeshInput& input, const std::vector<PieceBoundary>
                     const double spacing = length * (stretch.to - stretch.from) / count;
                     if (count > 1 && spacing < least * boundaries[p].frame.unit)
                         return fail(ErrorCode::invalidInput,
-                                    "What is sewn to the edge asks for " + std::to_string(count) +
-                                        " nodes on " + millimetres(spacing * count) +
+                                    "What is sewn to the edge asks for " + std::to_string(count) + " nodes on " +
+                                        millimetres(spacing * count) +
                                         " of it; gather less, or choose larger spacings.",
                                     {.object = nameOf(input.pieces[p], loop, e)});
                 }
@@ -88,8 +88,7 @@ Result<BoundaryDivision> dividedBorders(const MeshInput& input, const std::vecto
     }
 }
 
-SeamNodes nodesOf(const CheckedSeam& seam, const BoundaryDivision& division,
-                  const std::vector<PieceMesh>& pieces) {
+SeamNodes nodesOf(const CheckedSeam& seam, const BoundaryDivision& division, const std::vector<PieceMesh>& pieces) {
     std::array<std::vector<std::vector<NodeRef>>, 2> stretches;
     for (std::size_t side = 0; side < 2; ++side)
         for (const ChainPart& part : seam.sides[side].parts) {
@@ -126,11 +125,10 @@ double largestSpacingMismatch(const SeamNodes& nodes, const std::vector<PieceMes
         for (std::size_t side = 0; side < 2; ++side) {
             const NodeRef from = nodes.pairs[k][side], to = nodes.pairs[k + 1][side];
             if (from.piece == to.piece)
-                way[side] = distance(pieces[at(from.piece)].nodes[at(from.node)],
-                                     pieces[at(to.piece)].nodes[at(to.node)]);
+                way[side] =
+                    distance(pieces[at(from.piece)].nodes[at(from.node)], pieces[at(to.piece)].nodes[at(to.node)]);
         }
-        if (way[0] > 0 && way[1] > 0)
-            largest = std::max(largest, std::abs(way[0] - way[1]) / std::max(way[0], way[1]));
+        if (way[0] > 0 && way[1] > 0) largest = std::max(largest, std::abs(way[0] - way[1]) / std::max(way[0], way[1]));
     }
     return largest;
 }
@@ -164,18 +162,16 @@ std::vector<Vec2> seamEnds(const std::vector<CheckedSeam>& seams, int piece, con
                 for (const double fraction : {part.part.from, part.part.to})
                     if (part.part.piece == piece)
                         ends.push_back(boundary.frame.frameOf(
-                            boundary.loops[at(part.part.loop)].edges[at(part.part.edge)].arc.pointAt(
-                                fraction)));
+                            boundary.loops[at(part.part.loop)].edges[at(part.part.edge)].arc.pointAt(fraction)));
     return ends;
 }
 
 /// The main mesh with the regions on it.
-Result<Lattice> latticeOf(const PieceInput& piece, const PieceBoundary& boundary,
-                          const std::vector<Vec2>& seamEnds, const GrainStretches& stretches,
-                          std::vector<RegionReport>& reports, std::vector<Warning>& warnings) {
+Result<Lattice> latticeOf(const PieceInput& piece, const PieceBoundary& boundary, const std::vector<Vec2>& seamEnds,
+                          const GrainStretches& stretches, std::vector<RegionReport>& reports,
+                          std::vector<Warning>& warnings) {
     MainLines lines = mainLines(piece, boundary, seamEnds, stretches);
-    if (auto fits = affordable(piece, lines.x.size(), lines.y.size()); !fits)
-        return tl::unexpected(fits.error());
+    if (auto fits = affordable(piece, lines.x.size(), lines.y.size()); !fits) return tl::unexpected(fits.error());
     Lattice lattice(std::move(lines.x), std::move(lines.y));
     markActiveCells(boundary.frame, boundary.contours, lattice);
     auto regions = snapRegions(piece, boundary, lattice, warnings);
@@ -201,8 +197,7 @@ Result<void> everyTriangleHasArea(const PieceInput& piece, const PieceFrame& fra
 
 /// From frozen border nodes to the finished mesh.
 Result<PieceMesh> meshedPiece(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,
-                              const BoundaryNodes& nodes, const BoundaryDivision& division,
-                              Lattice& lattice) {
+                              const BoundaryNodes& nodes, const BoundaryDivision& division, Lattice& lattice) {
     markActiveCells(boundary.frame, ringPoints(nodes), lattice);
     const bool literal = piece.rule == LineRule::paper;
     if (!literal) {
@@ -213,10 +208,8 @@ Result<PieceMesh> meshedPiece(const PieceInput& piece, int pieceIndex, const Pie
     lattice.numberNodes();
     GridFill fill = fillLattice(boundary.frame, nodes, lattice, literal ? paperClearance : clearance);
     CellMesh cells = cellMesh(boundary.frame, nodes, lattice, fill);
-    improveStrip(boundary.frame, nodes, lattice, fill, cells,
-                 {.passes = literal ? 0 : ImprovementSettings{}.passes});
-    if (auto sound = everyTriangleHasArea(piece, boundary.frame, cells); !sound)
-        return tl::unexpected(sound.error());
+    improveStrip(boundary.frame, nodes, lattice, fill, cells, {.passes = literal ? 0 : ImprovementSettings{}.passes});
+    if (auto sound = everyTriangleHasArea(piece, boundary.frame, cells); !sound) return tl::unexpected(sound.error());
     mergePairs(cells);
     return finishedPiece(boundary.frame, nodes, cells).mesh;
 }
@@ -266,30 +259,28 @@ Result<GarmentMesh> meshGarment(const MeshInput& input, const MeshSettings& sett
     // the other way round, and lines can pass through whatever nodes the seams ask for.
     std::vector<std::optional<Lattice>> lattices(input.pieces.size());
     const auto layLattice = [&](std::size_t p, const GrainStretches& stretches) -> Result<void> {
-        auto lattice =
-            latticeOf(input.pieces[p], boundaries[p], seamEnds(seams, static_cast<int>(p), boundaries[p]),
-                      stretches, regions[p], garment.report.warnings);
+        auto lattice = latticeOf(input.pieces[p], boundaries[p], seamEnds(seams, static_cast<int>(p), boundaries[p]),
+                                 stretches, regions[p], garment.report.warnings);
         if (!lattice) return tl::unexpected(lattice.error());
         lattices[p] = std::move(*lattice);
         return {};
     };
     for (std::size_t p = 0; p < input.pieces.size(); ++p)
         if (!input.pieces[p].regions.empty())
-            if (auto laid = layLattice(p, grainStretches(input.pieces[p], boundaries[p], (*points)[p]));
-                !laid)
+            if (auto laid = layLattice(p, grainStretches(input.pieces[p], boundaries[p], (*points)[p])); !laid)
                 return tl::unexpected(laid.error());
     const SpacingAlong spacing = [&](int piece, int loop, int edge, double from, double to) {
         if (!lattices[at(piece)]) return input.pieces[at(piece)].spacing;
-        return finestSpacingAlong(input.pieces[at(piece)], boundaries[at(piece)], *lattices[at(piece)], loop,
-                                  edge, from, to);
+        return finestSpacingAlong(input.pieces[at(piece)], boundaries[at(piece)], *lattices[at(piece)], loop, edge,
+                                  from, to);
     };
     std::vector<BoundaryNodes> nodes;
     const auto division = dividedBorders(input, boundaries, seams, *points, spacing, nodes);
     if (!division) return tl::unexpected(division.error());
     for (std::size_t p = 0; p < input.pieces.size(); ++p)
         if (!lattices[p])
-            if (auto laid = layLattice(
-                    p, division->grainStretches(input.pieces[p], static_cast<int>(p), boundaries[p]));
+            if (auto laid =
+                    layLattice(p, division->grainStretches(input.pieces[p], static_cast<int>(p), boundaries[p]));
                 !laid)
                 return tl::unexpected(laid.error());
 

@@ -28,14 +28,12 @@ struct SharedSide {
 };
 
 double angleAt(Vec2 corner, Vec2 next, Vec2 before) {
-    const double angle =
-        std::atan2(cross(next - corner, before - corner), dot(next - corner, before - corner));
+    const double angle = std::atan2(cross(next - corner, before - corner), dot(next - corner, before - corner));
     return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
 /// Both triangles as a quadrilateral: apex of a, side, apex of b, side.
-void judge(const CellMesh& mesh, const SharedSide& s, const SharedSide& t,
-           std::vector<Candidate>& candidates) {
+void judge(const CellMesh& mesh, const SharedSide& s, const SharedSide& t, std::vector<Candidate>& candidates) {
     const Triangle &first = mesh.triangles[at(s.triangle)], &second = mesh.triangles[at(t.triangle)];
     if (first.region != second.region) return;
     const std::array<int, 4> quad{first.nodes[at(s.corner)], first.nodes[at((s.corner + 1) % 3)],
@@ -58,8 +56,7 @@ void mergePairs(CellMesh& mesh) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         mesh.triangles[t].mergedWith = -1;
         for (int i = 0; i < 3; ++i) {
-            const int p = mesh.triangles[t].nodes[at((i + 1) % 3)],
-                      q = mesh.triangles[t].nodes[at((i + 2) % 3)];
+            const int p = mesh.triangles[t].nodes[at((i + 1) % 3)], q = mesh.triangles[t].nodes[at((i + 2) % 3)];
             sides.push_back({std::min(p, q), std::max(p, q), static_cast<int>(t), i});
         }
     }

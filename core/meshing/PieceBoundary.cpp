@@ -27,8 +27,7 @@ tl::unexpected<Error> refuse(const std::string& object, const std::string& sente
 }
 
 bool isUsable(Vec2 point) {
-    return geometry::isFinite(point) && std::abs(point.x) < largestCoordinate &&
-           std::abs(point.y) < largestCoordinate;
+    return geometry::isFinite(point) && std::abs(point.x) < largestCoordinate && std::abs(point.y) < largestCoordinate;
 }
 
 bool isUsable(const Curve& curve) {
@@ -55,8 +54,7 @@ std::optional<Error> settingError(const PieceInput& piece) {
         for (const Polygon& hole : region.holes)
             for (const Vec2 p : hole)
                 if (!isUsable(p))
-                    return error("A point of region \"" + region.label +
-                                 "\" is not a number or beyond 1e6 m.");
+                    return error("A point of region \"" + region.label + "\" is not a number or beyond 1e6 m.");
     }
     return std::nullopt;
 }
@@ -67,19 +65,17 @@ std::optional<Error> edgeError(const PieceInput& piece, int loop) {
         return Error{ErrorCode::invalidInput, text, {.object = nameOf(piece, loop, e)}};
     };
     if (edges.empty())
-        return Error{
-            ErrorCode::invalidInput, "A border needs at least three points.", {.object = nameOf(piece)}};
+        return Error{ErrorCode::invalidInput, "A border needs at least three points.", {.object = nameOf(piece)}};
     for (int e = 0, n = static_cast<int>(edges.size()); e < n; ++e) {
         const BoundaryEdge& edge = edges[static_cast<std::size_t>(e)];
         if (!isUsable(edge.curve)) return error(e, "A coordinate is not a number or beyond 1e6 m.");
         const Vec2 nextStart = edges[static_cast<std::size_t>((e + 1) % n)].curve.start;
         if (distance(edge.curve.end, nextStart) > joinTolerance)
-            return error(e, "The edge ends at " + pointText(edge.curve.end) +
-                                ", but the next one starts at " + pointText(nextStart) + ".");
+            return error(e, "The edge ends at " + pointText(edge.curve.end) + ", but the next one starts at " +
+                                pointText(nextStart) + ".");
         double before = 0;
         for (const double notch : edge.notches) {
-            if (!(notch > before && notch < 1))
-                return error(e, "Notches must rise strictly between 0 and 1.");
+            if (!(notch > before && notch < 1)) return error(e, "Notches must rise strictly between 0 and 1.");
             before = notch;
         }
     }
@@ -98,8 +94,8 @@ void dropSpikes(const PieceInput& piece, int loop, const PieceFrame& frame, Loop
     const auto isReturn = [&](std::size_t first, std::size_t second) {
         const Curve &there = edges[first].curve, &back = edges[second].curve;
         return std::holds_alternative<geometry::LineShape>(there.shape) &&
-               std::holds_alternative<geometry::LineShape>(back.shape) &&
-               gridOf(there.start) == gridOf(back.end) && gridOf(there.end) == gridOf(back.start);
+               std::holds_alternative<geometry::LineShape>(back.shape) && gridOf(there.start) == gridOf(back.end) &&
+               gridOf(there.end) == gridOf(back.start);
     };
     for (std::size_t e = 0; e < edges.size(); ++e) {
         if (boundary.edges[e].collapsed) continue;
@@ -117,8 +113,7 @@ void dropSpikes(const PieceInput& piece, int loop, const PieceFrame& frame, Loop
     }
 }
 
-Contour flattenedContour(const PieceInput& piece, int loop, const PieceFrame& frame,
-                         const LoopBoundary& boundary) {
+Contour flattenedContour(const PieceInput& piece, int loop, const PieceFrame& frame, const LoopBoundary& boundary) {
     Contour contour;
     const BoundaryLoop& edges = loopOf(piece, loop);
     for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -158,12 +153,9 @@ Vec2 meetingPoint(const PieceFrame& frame, const RingSegment& s, const RingSegme
     GridPoint at = s.a;
     const double da = static_cast<double>(orientation(t.a, t.b, s.a));
     const double db = static_cast<double>(orientation(t.a, t.b, s.b));
-    if (onSegment(t.a, t.b, s.b))
-        at = s.b;
-    else if (onSegment(s.a, s.b, t.a))
-        at = t.a;
-    else if (onSegment(s.a, s.b, t.b))
-        at = t.b;
+    if (onSegment(t.a, t.b, s.b)) at = s.b;
+    else if (onSegment(s.a, s.b, t.a)) at = t.a;
+    else if (onSegment(s.a, s.b, t.b)) at = t.b;
     Vec2 point{static_cast<double>(at.x), static_cast<double>(at.y)};
     if (da * db < 0)
         point = lerp(Vec2{static_cast<double>(s.a.x), static_cast<double>(s.a.y)},
@@ -178,9 +170,8 @@ std::optional<Error> crossingError(const PieceInput& piece, const PieceFrame& fr
         const Contour& c = contours[loop];
         const int n = static_cast<int>(c.points.size());
         for (int i = 0; i < n; ++i)
-            segments.push_back({c.points[static_cast<std::size_t>(i)],
-                                c.points[static_cast<std::size_t>((i + 1) % n)], static_cast<int>(loop), i, n,
-                                c.edges[static_cast<std::size_t>(i)]});
+            segments.push_back({c.points[static_cast<std::size_t>(i)], c.points[static_cast<std::size_t>((i + 1) % n)],
+                                static_cast<int>(loop), i, n, c.edges[static_cast<std::size_t>(i)]});
     }
     const auto pair = firstCrossing(segments);
     if (!pair) return std::nullopt;
@@ -189,9 +180,8 @@ std::optional<Error> crossingError(const PieceInput& piece, const PieceFrame& fr
     const std::string where = pointText(meetingPoint(frame, s, t));
     const std::string other = nameOf(piece, t.ring, t.edge);
     return Error{ErrorCode::invalidInput,
-                 s.ring == t.ring
-                     ? "The border crosses or touches itself at " + where + ", with " + other + "."
-                     : "Two borders cross or touch at " + where + ", with " + other + ".",
+                 s.ring == t.ring ? "The border crosses or touches itself at " + where + ", with " + other + "."
+                                  : "Two borders cross or touch at " + where + ", with " + other + ".",
                  {.object = nameOf(piece, s.ring, s.edge)}};
 }
 
@@ -279,8 +269,7 @@ void measureEdges(const PieceInput& piece, PieceBoundary& boundary) {
         for (const BoundaryEdge& edge : loopOf(piece, loop)) {
             EdgeArc arc{geometry::ArcLength(edge.curve), 0, false};
             arc.length = arc.arc.total();
-            arc.collapsed =
-                gridOf(edge.curve.start) == gridOf(edge.curve.end) && arc.length < 2 * boundary.frame.unit;
+            arc.collapsed = gridOf(edge.curve.start) == gridOf(edge.curve.end) && arc.length < 2 * boundary.frame.unit;
             edges.edges.push_back(std::move(arc));
         }
     }
@@ -322,10 +311,8 @@ Result<PieceBoundary> checkedBoundary(const PieceInput& piece) {
         LoopBoundary& edges = boundary.loops[static_cast<std::size_t>(loop)];
         dropSpikes(piece, loop, boundary.frame, edges);
         Contour contour = flattenedContour(piece, loop, boundary.frame, edges);
-        const std::string object =
-            loop == 0 ? nameOf(piece) : nameOf(piece) + ", hole " + std::to_string(loop);
-        if (contour.points.size() < 3)
-            return refuse(object, "A border needs at least three different points.");
+        const std::string object = loop == 0 ? nameOf(piece) : nameOf(piece) + ", hole " + std::to_string(loop);
+        if (contour.points.size() < 3) return refuse(object, "A border needs at least three different points.");
         const double doubled = doubledArea(contour.points);
         edges.backwards = loop == 0 ? doubled < 0 : doubled > 0;
         if (edges.backwards) turnRound(contour);

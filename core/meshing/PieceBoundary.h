@@ -12,9 +12,8 @@ namespace toile::meshing {
 /// A boundary edge with its arc-length table.
 struct EdgeArc {
     geometry::ArcLength arc;
-    double length = 0; ///< [m]
-    bool collapsed =
-        false; ///< both ends are one grid point, or it is half of a spike: no border of the piece
+    double length = 0;      ///< [m]
+    bool collapsed = false; ///< both ends are one grid point, or it is half of a spike: no border of the piece
 };
 
 struct LoopBoundary {

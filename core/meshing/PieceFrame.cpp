@@ -22,9 +22,7 @@ double unitFor(double halfExtent) {
 } // namespace
 
 GridPoint PieceFrame::gridOf(Vec2 inFrame) const {
-    const auto snap = [&](double value) {
-        return static_cast<std::int32_t>(std::lround(value / unit + phase));
-    };
+    const auto snap = [&](double value) { return static_cast<std::int32_t>(std::lround(value / unit + phase)); };
     return {snap(inFrame.x), snap(inFrame.y)};
 }
 

@@ -31,7 +31,6 @@ struct PieceFrame {
 };
 
 /// The frame in which all these points, with a margin [m] around them, fit the integer grid.
-[[nodiscard]] PieceFrame frameFor(double grain, bool mirrored, const std::vector<Vec2>& points,
-                                  double margin);
+[[nodiscard]] PieceFrame frameFor(double grain, bool mirrored, const std::vector<Vec2>& points, double margin);
 
 } // namespace toile::meshing

@@ -11,9 +11,7 @@ struct Side {
     Vec2 low, high; ///< low.y < high.y
     bool ofA;
 
-    [[nodiscard]] double xAt(double y) const {
-        return low.x + (high.x - low.x) * (y - low.y) / (high.y - low.y);
-    }
+    [[nodiscard]] double xAt(double y) const { return low.x + (high.x - low.x) * (y - low.y) / (high.y - low.y); }
 };
 
 void appendSides(const std::vector<geometry::Polygon>& polygons, bool ofA, std::vector<Side>& sides) {
@@ -37,8 +35,7 @@ std::vector<double> heightsOf(const std::vector<Side>& sides) {
         for (std::size_t j = i + 1; j < sides.size(); ++j) {
             const Side& t = sides[j];
             const double y0 = std::max(s.low.y, t.low.y), y1 = std::min(s.high.y, t.high.y);
-            if (y0 >= y1 || std::max(t.low.x, t.high.x) < left || std::min(t.low.x, t.high.x) > right)
-                continue;
+            if (y0 >= y1 || std::max(t.low.x, t.high.x) < left || std::min(t.low.x, t.high.x) > right) continue;
             const double before = s.xAt(y0) - t.xAt(y0), after = s.xAt(y1) - t.xAt(y1);
             if (before * after < 0) heights.push_back(y0 + (y1 - y0) * before / (before - after));
         }

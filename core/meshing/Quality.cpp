@@ -62,8 +62,7 @@ void judgeElement(std::span<const Vec2> corners, PieceReport& report, Sides& sid
 /// Directed sides of the displayed triangles, by the node they leave.
 class SidesByNode {
 public:
-    explicit SidesByNode(const PieceMesh& mesh)
-        : first_(mesh.nodes.size() + 1, 0), sides_(3 * mesh.display.size()) {
+    explicit SidesByNode(const PieceMesh& mesh) : first_(mesh.nodes.size() + 1, 0), sides_(3 * mesh.display.size()) {
         for (const auto& t : mesh.display)
             for (const int from : t) ++first_[at(from) + 1];
         for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
@@ -157,8 +156,7 @@ PieceReport countsOf(const PieceMesh& mesh) {
     const int elements = report.quads + report.triangles;
     report.rectangleFraction = elements > 0 ? static_cast<double>(report.rectangles) / elements : 0;
     report.bytes = mesh.nodes.size() * 2 * sizeof(Vec2) + mesh.rectangles.size() * sizeof(Rectangle) +
-                   mesh.triangles.size() * sizeof(Triangle) +
-                   mesh.display.size() * sizeof(std::array<int, 3>);
+                   mesh.triangles.size() * sizeof(Triangle) + mesh.display.size() * sizeof(std::array<int, 3>);
     return report;
 }
 
@@ -173,10 +171,8 @@ void judge(const PieceMesh& mesh, PieceReport& report) {
     for (const Rectangle& r : mesh.rectangles) element(r.nodes);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const Triangle& t = mesh.triangles[i];
-        if (t.mergedWith < 0)
-            element(t.nodes);
-        else if (static_cast<int>(i) < t.mergedWith)
-            element(mergedCorners(t, mesh.triangles[at(t.mergedWith)]));
+        if (t.mergedWith < 0) element(t.nodes);
+        else if (static_cast<int>(i) < t.mergedWith) element(mergedCorners(t, mesh.triangles[at(t.mergedWith)]));
     }
     report.sideLength = sums.all;
     report.grainAlignment = sums.all > 0 ? sums.aligned / sums.all : 0;
@@ -199,8 +195,7 @@ int angleBelow(const PieceReport& report, double part) {
 double meshedArea(const PieceMesh& mesh) {
     double doubled = 0;
     for (const auto& t : mesh.display)
-        doubled +=
-            cross(mesh.nodes[at(t[1])] - mesh.nodes[at(t[0])], mesh.nodes[at(t[2])] - mesh.nodes[at(t[0])]);
+        doubled += cross(mesh.nodes[at(t[1])] - mesh.nodes[at(t[0])], mesh.nodes[at(t[2])] - mesh.nodes[at(t[0])]);
     return 0.5 * doubled;
 }
 

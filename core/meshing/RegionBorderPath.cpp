@@ -32,8 +32,7 @@ class PathSearch {
 public:
     PathSearch(const Lattice& lattice, LatticePoint from, LatticePoint to, Vec2 sideFrom, Vec2 sideTo)
         : lattice_(lattice), from_(from), to_(to), sideFrom_(sideFrom), sideTo_(sideTo) {
-        low_ = {std::max(0, std::min(from.column, to.column) - 1),
-                std::max(0, std::min(from.row, to.row) - 1)};
+        low_ = {std::max(0, std::min(from.column, to.column) - 1), std::max(0, std::min(from.row, to.row) - 1)};
         high_ = {std::min(lattice.columns(), std::max(from.column, to.column) + 1),
                  std::min(lattice.rows(), std::max(from.row, to.row) + 1)};
     }
@@ -42,9 +41,7 @@ public:
         const int width = high_.column - low_.column + 1, height = high_.row - low_.row + 1;
         std::vector<Cost> cost(at(width * height), std::numeric_limits<Cost>::max());
         std::vector<LatticePoint> before(cost.size());
-        const auto index = [&](LatticePoint p) {
-            return at((p.row - low_.row) * width + p.column - low_.column);
-        };
+        const auto index = [&](LatticePoint p) { return at((p.row - low_.row) * width + p.column - low_.column); };
         using Entry = std::pair<Cost, LatticePoint>;
         std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
         cost[index(from_)] = 0;
@@ -76,8 +73,7 @@ private:
     [[nodiscard]] Cost weight(LatticePoint p, LatticePoint q) const {
         const Vec2 a = place(p), b = place(q), middle = lerp(a, b, 0.5);
         const double metres =
-            distance(a, b) +
-            distanceWeight * distance(middle, geometry::closestOnSegment(sideFrom_, sideTo_, middle));
+            distance(a, b) + distanceWeight * distance(middle, geometry::closestOnSegment(sideFrom_, sideTo_, middle));
         return std::llround(metres * 1e10 + 0.3719);
     }
     [[nodiscard]] Vec2 place(LatticePoint p) const {

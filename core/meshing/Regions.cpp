@@ -97,8 +97,7 @@ double oneSidedDistance(const Polygons& from, const Polygons& to, const Polygons
 std::optional<Error> regionError(const PieceInput& piece, const RegionInput& region, const Polygons& painted,
                                  const Polygons& contours) {
     const auto error = [&](const std::string& text) {
-        return Error{
-            ErrorCode::invalidInput, text, {.object = nameOf(piece) + ", region \"" + region.label + "\""}};
+        return Error{ErrorCode::invalidInput, text, {.object = nameOf(piece) + ", region \"" + region.label + "\""}};
     };
     if (region.outline.size() < 3) return error("The border of the region needs at least three points.");
     if (overlapArea(painted, contours) <= 1e-12 * piece.spacing * piece.spacing + 1e-14)
@@ -127,8 +126,8 @@ SnappedRegion snapped(const PieceInput& piece, const RegionInput& region, const 
     return result;
 }
 
-void warnOfOverlaps(const PieceInput& piece, const std::vector<SnappedRegion>& regions,
-                    const Lattice& lattice, std::vector<Warning>& warnings) {
+void warnOfOverlaps(const PieceInput& piece, const std::vector<SnappedRegion>& regions, const Lattice& lattice,
+                    std::vector<Warning>& warnings) {
     for (std::size_t i = 0; i < regions.size(); ++i)
         for (std::size_t j = i + 1; j < regions.size(); ++j) {
             int common = 0;
@@ -136,16 +135,15 @@ void warnOfOverlaps(const PieceInput& piece, const std::vector<SnappedRegion>& r
                 common += lattice.active[c] && regions[i].cells[c] && regions[j].cells[c];
             if (common > 0)
                 warnings.push_back({nameOf(piece), "Regions \"" + regions[i].report.label + "\" and \"" +
-                                                       regions[j].report.label + "\" share " +
-                                                       std::to_string(common) +
+                                                       regions[j].report.label + "\" share " + std::to_string(common) +
                                                        " main cells; the finer one counts there."});
         }
 }
 
 } // namespace
 
-Result<std::vector<RegionReport>> snapRegions(const PieceInput& piece, const PieceBoundary& boundary,
-                                              Lattice& lattice, std::vector<Warning>& warnings) {
+Result<std::vector<RegionReport>> snapRegions(const PieceInput& piece, const PieceBoundary& boundary, Lattice& lattice,
+                                              std::vector<Warning>& warnings) {
     std::vector<RegionReport> reports;
     if (piece.regions.empty()) return reports;
     const Polygons contours = contoursInFrame(boundary);
@@ -157,9 +155,8 @@ Result<std::vector<RegionReport>> snapRegions(const PieceInput& piece, const Pie
         const RegionReport& report = regions.back().report;
         if (report.displacement > borderMoveWarned * piece.spacing)
             warnings.push_back({nameOf(piece), "The border of region \"" + region.label + "\" moved by " +
-                                                   millimetres(report.displacement) +
-                                                   " to the main mesh of " + millimetres(piece.spacing) +
-                                                   "."});
+                                                   millimetres(report.displacement) + " to the main mesh of " +
+                                                   millimetres(piece.spacing) + "."});
     }
     warnOfOverlaps(piece, regions, lattice, warnings);
     for (std::size_t r = 0; r < regions.size(); ++r)
@@ -175,8 +172,8 @@ Result<std::vector<RegionReport>> snapRegions(const PieceInput& piece, const Pie
     for (const SnappedRegion& region : regions) {
         if (region.report.cells == 0)
             return fail(ErrorCode::invalidInput,
-                        "The region has no cell left after snapping to the main mesh of " +
-                            millimetres(piece.spacing) + "; make it larger, or the main mesh finer.",
+                        "The region has no cell left after snapping to the main mesh of " + millimetres(piece.spacing) +
+                            "; make it larger, or the main mesh finer.",
                         {.object = nameOf(piece) + ", region \"" + region.report.label + "\""});
         reports.push_back(region.report);
     }
@@ -221,8 +218,7 @@ Result<void> refusedBeyondLimit(const PieceInput& piece, double cells, const std
     char estimate[32];
     std::snprintf(estimate, sizeof estimate, "%.2g", cells);
     return fail(ErrorCode::tooLarge,
-                cause + " would give about " + estimate +
-                    " cells; at most 1e7 are allowed. Choose a larger spacing.",
+                cause + " would give about " + estimate + " cells; at most 1e7 are allowed. Choose a larger spacing.",
                 {.object = nameOf(piece)});
 }
 
@@ -236,8 +232,7 @@ Result<void> affordable(const PieceInput& piece, const Lattice& lattice) {
 }
 
 Result<void> affordable(const PieceInput& piece, std::size_t linesX, std::size_t linesY) {
-    return refusedBeyondLimit(piece, static_cast<double>(linesX) * static_cast<double>(linesY) / 4,
-                              "The scan lines");
+    return refusedBeyondLimit(piece, static_cast<double>(linesX) * static_cast<double>(linesY) / 4, "The scan lines");
 }
 
 } // namespace toile::meshing

@@ -9,9 +9,8 @@ namespace toile::meshing {
 
 /// Snaps the painted borders of a piece's regions to main lines and sets `division` and `region` of the
 /// lattice. Where regions overlap the finer counts.
-[[nodiscard]] Result<std::vector<RegionReport>> snapRegions(const PieceInput& piece,
-                                                            const PieceBoundary& boundary, Lattice& lattice,
-                                                            std::vector<Warning>& warnings);
+[[nodiscard]] Result<std::vector<RegionReport>> snapRegions(const PieceInput& piece, const PieceBoundary& boundary,
+                                                            Lattice& lattice, std::vector<Warning>& warnings);
 
 /// Neighbouring active cells, also across corners, differ at most by a factor of two afterwards: the coarser
 /// ones are divided further, in rings.

@@ -33,8 +33,8 @@ const EdgeArc& arcOf(const std::vector<PieceBoundary>& boundaries, const SeamPar
 Failure partError(const MeshInput& input, const SeamInput& seam, const SeamPartInput& part,
                   const std::vector<PieceBoundary>& boundaries) {
     if (part.piece < 0 || part.piece >= static_cast<int>(input.pieces.size()))
-        return seamError(seam, "The seam names piece no. " + std::to_string(part.piece + 1) +
-                                   ", which does not exist.");
+        return seamError(seam,
+                         "The seam names piece no. " + std::to_string(part.piece + 1) + ", which does not exist.");
     const PieceInput& piece = input.pieces[static_cast<std::size_t>(part.piece)];
     if (part.loop < 0 || part.loop >= loopCount(piece) || part.edge < 0 ||
         part.edge >= static_cast<int>(loopOf(piece, part.loop).size()))
@@ -59,8 +59,7 @@ Failure overlapError(const MeshInput& input, const SeamInput& seam) {
     for (std::size_t i = 0; i < parts.size(); ++i)
         for (std::size_t j = i + 1; j < parts.size(); ++j)
             if (overlap(parts[i], parts[j]))
-                return seamError(seam, "The seam uses the same stretch of " + edgeName(input, parts[i]) +
-                                           " twice.");
+                return seamError(seam, "The seam uses the same stretch of " + edgeName(input, parts[i]) + " twice.");
     return std::nullopt;
 }
 
@@ -75,19 +74,15 @@ struct LoopPlace {
 };
 
 LoopPlace placeAt(const MeshInput& input, const SeamPartInput& part, double fraction) {
-    const int edges =
-        static_cast<int>(loopOf(input.pieces[static_cast<std::size_t>(part.piece)], part.loop).size());
+    const int edges = static_cast<int>(loopOf(input.pieces[static_cast<std::size_t>(part.piece)], part.loop).size());
     if (fraction > 1 - sameFraction) return {part.piece, part.loop, (part.edge + 1) % edges, 0};
     return {part.piece, part.loop, part.edge, fraction};
 }
 
 /// Neighbouring parts must follow one another; a part that would follow if walked the other way is turned
 /// wrongly.
-Failure directionError(const MeshInput& input, const SeamInput& seam,
-                       const std::vector<SeamPartInput>& parts) {
-    const auto startOf = [&](const SeamPartInput& p) {
-        return placeAt(input, p, p.reversed ? p.to : p.from);
-    };
+Failure directionError(const MeshInput& input, const SeamInput& seam, const std::vector<SeamPartInput>& parts) {
+    const auto startOf = [&](const SeamPartInput& p) { return placeAt(input, p, p.reversed ? p.to : p.from); };
     const auto endOf = [&](const SeamPartInput& p) { return placeAt(input, p, p.reversed ? p.from : p.to); };
     for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
         const SeamPartInput &here = parts[i], &there = parts[i + 1];
@@ -117,8 +112,7 @@ std::vector<double> notchesOf(const MeshInput& input, const SeamChain& chain) {
     std::vector<double> places;
     for (const ChainPart& part : chain.parts) {
         const PieceInput& piece = input.pieces[static_cast<std::size_t>(part.part.piece)];
-        for (const double notch :
-             loopOf(piece, part.part.loop)[static_cast<std::size_t>(part.part.edge)].notches)
+        for (const double notch : loopOf(piece, part.part.loop)[static_cast<std::size_t>(part.part.edge)].notches)
             if (notch > part.part.from + sameFraction && notch < part.part.to - sameFraction)
                 places.push_back(part.chainOf(notch));
     }
@@ -130,11 +124,10 @@ Failure lengthError(const SeamInput& seam, const std::string& section, double le
                     const SeamSectionInput& declared, std::vector<Warning>& warnings) {
     const double wanted = declared.gatherRatio ? (*declared.gatherRatio - 1) * lengthB : declared.ease;
     const double mismatch = std::abs(lengthA - lengthB - wanted);
-    if (mismatch <= std::max(silentMismatch, silentRelativeMismatch * std::max(lengthA, lengthB)))
-        return std::nullopt;
+    if (mismatch <= std::max(silentMismatch, silentRelativeMismatch * std::max(lengthA, lengthB))) return std::nullopt;
     const std::string text = section + " is " + millimetres(lengthA) + " long on the first side and " +
-                             millimetres(lengthB) + " on the second; declared ease " + millimetres(wanted) +
-                             ", " + millimetres(mismatch) + " remain.";
+                             millimetres(lengthB) + " on the second; declared ease " + millimetres(wanted) + ", " +
+                             millimetres(mismatch) + " remain.";
     if (mismatch > warnedMismatch) return seamError(seam, text + " Declare the ease or correct the edges.");
     warnings.push_back({nameOf(seam), text});
     return std::nullopt;
@@ -149,12 +142,11 @@ Failure pairNotches(const MeshInput& input, const SeamInput& seam, CheckedSeam& 
     const bool paired = notches[0].size() == notches[1].size();
     if (seam.sections.size() > 1 && (!paired || seam.sections.size() != notches[0].size() + 1))
         return seamError(seam, "Ease is declared for " + std::to_string(seam.sections.size()) +
-                                   " sections, but the notches make " +
-                                   std::to_string(notches[0].size() + 1) + " on the first side and " +
-                                   std::to_string(notches[1].size() + 1) + " on the second.");
+                                   " sections, but the notches make " + std::to_string(notches[0].size() + 1) +
+                                   " on the first side and " + std::to_string(notches[1].size() + 1) +
+                                   " on the second.");
     if (paired)
-        for (std::size_t i = 0; i < notches[0].size(); ++i)
-            checked.anchors.push_back({notches[0][i], notches[1][i]});
+        for (std::size_t i = 0; i < notches[0].size(); ++i) checked.anchors.push_back({notches[0][i], notches[1][i]});
     checked.anchors.push_back(end);
     for (const SeamSectionInput& section : seam.sections) {
         if (!std::isfinite(section.ease) ||
@@ -169,8 +161,7 @@ Failure pairNotches(const MeshInput& input, const SeamInput& seam, CheckedSeam& 
                                seam.sections.empty() ? SeamSectionInput{} : seam.sections[0], warnings);
     for (std::size_t i = 0; i + 1 < checked.anchors.size(); ++i) {
         const SeamAnchor &from = checked.anchors[i], &to = checked.anchors[i + 1];
-        const std::string section =
-            checked.anchors.size() == 2 ? "The seam" : "Section " + std::to_string(i + 1);
+        const std::string section = checked.anchors.size() == 2 ? "The seam" : "Section " + std::to_string(i + 1);
         if (auto error = lengthError(seam, section, to[0] - from[0], to[1] - from[1],
                                      perSection ? seam.sections[i] : SeamSectionInput{}, warnings))
             return error;
@@ -192,10 +183,9 @@ void pairJoints(double spacing, CheckedSeam& checked) {
             if (!best || std::abs(jointB - facing) < std::abs(*best - facing)) best = jointB;
         }
         if (!best) continue;
-        const bool rising =
-            std::all_of(checked.anchors.begin(), checked.anchors.end(), [&](const SeamAnchor& anchor) {
-                return (anchor[0] < jointA && anchor[1] < *best) || (anchor[0] > jointA && anchor[1] > *best);
-            });
+        const bool rising = std::all_of(checked.anchors.begin(), checked.anchors.end(), [&](const SeamAnchor& anchor) {
+            return (anchor[0] < jointA && anchor[1] < *best) || (anchor[0] > jointA && anchor[1] > *best);
+        });
         if (!rising) continue;
         found.push_back({jointA, *best});
         lastB = *best;
@@ -229,8 +219,7 @@ std::string nameOf(const SeamInput& seam) {
 }
 
 Result<CheckedSeam> checkedSeam(const MeshInput& input, const SeamInput& seam,
-                                const std::vector<PieceBoundary>& boundaries,
-                                std::vector<Warning>& warnings) {
+                                const std::vector<PieceBoundary>& boundaries, std::vector<Warning>& warnings) {
     double spacing = 1e9;
     for (const auto& side : seam.sides) {
         if (side.empty()) return tl::unexpected(*seamError(seam, "One side of the seam is empty."));

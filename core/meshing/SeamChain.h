@@ -30,9 +30,8 @@ using SeamAnchor = std::array<double, 2>;
 
 struct CheckedSeam {
     std::array<SeamChain, 2> sides;
-    std::vector<SeamAnchor>
-        anchors;     ///< rising; first the start, last the end; between them lengths are proportional
-    double ease = 0; ///< declared, over all sections [m]
+    std::vector<SeamAnchor> anchors; ///< rising; first the start, last the end; between them lengths are proportional
+    double ease = 0;                 ///< declared, over all sections [m]
 
     /// Where a place of one side lies on the other.
     [[nodiscard]] double across(int fromSide, double chain) const;

@@ -33,8 +33,7 @@ std::vector<int> groupsAlong(const SeamChain& chain,
     std::vector<int> groups;
     for (const ChainPart& part : chain.parts) {
         std::vector<int> own;
-        for (const Stretch& stretch :
-             stretches[at(part.part.piece)][at(part.part.loop)][at(part.part.edge)]) {
+        for (const Stretch& stretch : stretches[at(part.part.piece)][at(part.part.loop)][at(part.part.edge)]) {
             const double middle = 0.5 * (stretch.from + stretch.to);
             if (middle > part.part.from && middle < part.part.to) own.push_back(stretch.group);
         }
@@ -47,8 +46,7 @@ std::vector<int> groupsAlong(const SeamChain& chain,
 /// The edge lies along the grain, so that main lines may pass through its nodes.
 bool isLined(const PieceInput& piece, const PieceBoundary& boundary, int loop, int edge) {
     const Curve& curve = loopOf(piece, loop)[at(edge)].curve;
-    if (piece.rule != LineRule::regular || !std::holds_alternative<geometry::LineShape>(curve.shape))
-        return false;
+    if (piece.rule != LineRule::regular || !std::holds_alternative<geometry::LineShape>(curve.shape)) return false;
     const Vec2 a = boundary.frame.frameOf(curve.start), b = boundary.frame.frameOf(curve.end);
     return std::min(std::abs(b.x - a.x), std::abs(b.y - a.y)) <= 2 * boundary.frame.unit;
 }
@@ -66,7 +64,7 @@ int partsBetween(const std::vector<double>& crossings, double from, double to) {
            }));
 }
 
-constexpr double shortEdge = 0.25; ///< of the spacing; longer edges keep their ends [–]
+constexpr double shortEdge = 0.25;                             ///< of the spacing; longer edges keep their ends [–]
 constexpr double sharpTurn = 15 * std::numbers::pi / 180;      ///< a corner [rad]
 constexpr double largestRunTurn = 30 * std::numbers::pi / 180; ///< between two nodes of a run [rad]
 
@@ -77,8 +75,8 @@ double turnBetween(const Curve& in, const Curve& out) {
 
 /// Which ends of edges of a loop are no nodes: those inside smooth runs of short free lines, but for one per
 /// spacing.
-std::vector<char> passedEnds(const BoundaryLoop& edges, const LoopBoundary& arcs,
-                             const std::vector<char>& sewn, double spacing) {
+std::vector<char> passedEnds(const BoundaryLoop& edges, const LoopBoundary& arcs, const std::vector<char>& sewn,
+                             double spacing) {
     const std::size_t n = edges.size();
     std::vector<char> passed(n, 0);
     const auto isShort = [&](std::size_t e) {
@@ -100,36 +98,33 @@ std::vector<char> passedEnds(const BoundaryLoop& edges, const LoopBoundary& arcs
 
 } // namespace
 
-Result<BoundaryDivision> BoundaryDivision::create(const MeshInput& input,
-                                                  const std::vector<PieceBoundary>& boundaries,
-                                                  const std::vector<CheckedSeam>& seams,
-                                                  const FixedPoints& points, const SpacingAlong& spacing) {
+Result<BoundaryDivision> BoundaryDivision::create(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
+                                                  const std::vector<CheckedSeam>& seams, const FixedPoints& points,
+                                                  const SpacingAlong& spacing) {
     BoundaryDivision division;
     Groups groups;
     std::vector<int> needed;
     for (std::size_t p = 0; p < points.size(); ++p) {
         auto& loops = division.stretches_.emplace_back();
         const bool literal = input.pieces[p].rule == LineRule::paper;
-        const auto crossings = literal ? lineCrossings(input.pieces[p], boundaries[p])
-                                       : std::vector<std::vector<std::vector<double>>>{};
+        const auto crossings =
+            literal ? lineCrossings(input.pieces[p], boundaries[p]) : std::vector<std::vector<std::vector<double>>>{};
         for (std::size_t loop = 0; loop < points[p].size(); ++loop) {
             auto& edges = loops.emplace_back();
             for (std::size_t e = 0; e < points[p][loop].size(); ++e) {
                 auto& own = edges.emplace_back();
                 const std::vector<double>& places = points[p][loop][e];
                 const EdgeArc& arc = boundaries[p].loops[loop].edges[e];
-                const bool lined =
-                    isLined(input.pieces[p], boundaries[p], static_cast<int>(loop), static_cast<int>(e));
+                const bool lined = isLined(input.pieces[p], boundaries[p], static_cast<int>(loop), static_cast<int>(e));
                 for (std::size_t i = 0; i + 1 < places.size(); ++i) {
                     const int group = static_cast<int>(needed.size());
                     own.push_back({places[i], places[i + 1], group});
                     const double length = arc.length * (places[i + 1] - places[i]);
-                    const double finest = spacing(static_cast<int>(p), static_cast<int>(loop),
-                                                  static_cast<int>(e), places[i], places[i + 1]);
+                    const double finest = spacing(static_cast<int>(p), static_cast<int>(loop), static_cast<int>(e),
+                                                  places[i], places[i + 1]);
                     needed.push_back(arc.collapsed ? 1
-                                     : literal
-                                         ? partsBetween(crossings[loop][e], places[i], places[i + 1]) *
-                                               static_cast<int>(std::lround(input.pieces[p].spacing / finest))
+                                     : literal     ? partsBetween(crossings[loop][e], places[i], places[i + 1]) *
+                                                     static_cast<int>(std::lround(input.pieces[p].spacing / finest))
                                      : lined ? partsOnLines(length, input.pieces[p].spacing, finest)
                                              : partsOf(length, finest));
                     groups.parent.push_back(group);
@@ -154,8 +149,7 @@ Result<BoundaryDivision> BoundaryDivision::create(const MeshInput& input,
         const std::vector<int> a = groupsAlong(seams[s].sides[0], division.stretches_);
         const std::vector<int> b = groupsAlong(seams[s].sides[1], division.stretches_);
         if (a.size() != b.size())
-            return fail(ErrorCode::invalidInput,
-                        "Fixed points of the two sides lie too near one another to be paired.",
+            return fail(ErrorCode::invalidInput, "Fixed points of the two sides lie too near one another to be paired.",
                         {.object = nameOf(input.seams[s])});
         for (std::size_t i = 0; i < a.size(); ++i) groups.join(a[i], b[i]);
     }
@@ -176,13 +170,11 @@ Result<BoundaryDivision> BoundaryDivision::create(const MeshInput& input,
 
 /// A free straight edge is divided as the sewn one it faces, unless that costs the cells between them too
 /// much.
-void BoundaryDivision::followFacingEdges(const PieceInput& piece, int pieceIndex,
-                                         const PieceBoundary& boundary,
+void BoundaryDivision::followFacingEdges(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,
                                          const std::vector<std::vector<char>>& sewn) {
     if (piece.rule != LineRule::regular || !piece.regions.empty()) return;
     for (const int axis : {0, 1}) {
-        const double most =
-            mostPartsAcross(along(boundary.box.high - boundary.box.low, 1 - axis), piece.spacing);
+        const double most = mostPartsAcross(along(boundary.box.high - boundary.box.low, 1 - axis), piece.spacing);
         const std::vector<GrainSpan> spans = grainSpans(piece, boundary, axis);
         const auto forEachStretch = [&](bool ofSewn, auto use) {
             for (const GrainSpan& span : spans)

@@ -20,14 +20,13 @@ using SpacingAlong = std::function<double(int piece, int loop, int edge, double 
 /// sides of every seam.
 class BoundaryDivision {
 public:
-    [[nodiscard]] static Result<BoundaryDivision>
-    create(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
-           const std::vector<CheckedSeam>& seams, const FixedPoints& points, const SpacingAlong& spacing);
+    [[nodiscard]] static Result<BoundaryDivision> create(const MeshInput& input,
+                                                         const std::vector<PieceBoundary>& boundaries,
+                                                         const std::vector<CheckedSeam>& seams,
+                                                         const FixedPoints& points, const SpacingAlong& spacing);
 
     [[nodiscard]] const std::vector<Stretch>& stretches(int piece, int loop, int edge) const;
-    [[nodiscard]] int count(const Stretch& stretch) const {
-        return counts_[static_cast<std::size_t>(stretch.group)];
-    }
+    [[nodiscard]] int count(const Stretch& stretch) const { return counts_[static_cast<std::size_t>(stretch.group)]; }
     /// The fractions of the nodes of an edge from 0 to 1.
     [[nodiscard]] std::vector<double> fractions(int piece, int loop, int edge) const;
     /// The stretches of the straight edges along the grain of a piece, by axis.

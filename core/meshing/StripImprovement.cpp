@@ -33,8 +33,8 @@ class Improver {
 public:
     Improver(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice, GridFill& fill,
              CellMesh& mesh, const ImprovementSettings& settings)
-        : frame_(frame), boundary_(boundary), lattice_(lattice), fill_(fill), mesh_(mesh),
-          settings_(settings), wanted_(settings.wantedAngle * std::numbers::pi / 180) {
+        : frame_(frame), boundary_(boundary), lattice_(lattice), fill_(fill), mesh_(mesh), settings_(settings),
+          wanted_(settings.wantedAngle * std::numbers::pi / 180) {
         after_.assign(at(mesh.boundaryCount), -1);
         for (const auto& ring : boundary.rings)
             for (std::size_t i = 0; i < ring.size(); ++i) after_[at(ring[i])] = ring[(i + 1) % ring.size()];
@@ -71,8 +71,7 @@ private:
         double smallest = std::numbers::pi;
         for (std::size_t i = 0; i < 3; ++i)
             if (!isBorderAngle(t, i))
-                smallest =
-                    std::min(smallest, angleAt(point(t[i]), point(t[(i + 1) % 3]), point(t[(i + 2) % 3])));
+                smallest = std::min(smallest, angleAt(point(t[i]), point(t[(i + 1) % 3]), point(t[(i + 2) % 3])));
         return smallest;
     }
 
@@ -113,8 +112,7 @@ private:
         stars_.resize(3 * mesh_.triangles.size());
         std::vector<std::size_t> next(firstOfStar_.begin(), firstOfStar_.end() - 1);
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-            for (const int node : mesh_.triangles[t].nodes)
-                stars_[next[stripIndex(node)]++] = static_cast<int>(t);
+            for (const int node : mesh_.triangles[t].nodes) stars_[next[stripIndex(node)]++] = static_cast<int>(t);
         return bad;
     }
 
@@ -129,9 +127,7 @@ private:
         return std::span(stars_).subspan(firstOfStar_[i], firstOfStar_[i + 1] - firstOfStar_[i]);
     }
 
-    [[nodiscard]] bool isFree(int node) const {
-        return node >= mesh_.boundaryCount && !mesh_.layer.held[at(node)];
-    }
+    [[nodiscard]] bool isFree(int node) const { return node >= mesh_.boundaryCount && !mesh_.layer.held[at(node)]; }
 
     bool moveNodesOf(const std::vector<int>& bad) {
         constexpr std::size_t crowded = 24; // triangles: a node of so many cannot have good angles
@@ -176,10 +172,8 @@ private:
                 mesh_.grid[at(node)] = {here.x + static_cast<std::int32_t>(std::lround(dx * step)),
                                         here.y + static_cast<std::int32_t>(std::lround(dy * step))};
                 const double angle = starAngle(triangles);
-                if (angle > best + 1e-6)
-                    best = angle;
-                else
-                    mesh_.grid[at(node)] = here;
+                if (angle > best + 1e-6) best = angle;
+                else mesh_.grid[at(node)] = here;
             }
         if (point(node) == before) return false;
         mesh_.position[at(node)] = frame_.placeOf(point(node));
@@ -256,8 +250,8 @@ private:
 
 } // namespace
 
-void improveStrip(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice,
-                  GridFill& fill, CellMesh& mesh, const ImprovementSettings& settings) {
+void improveStrip(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice, GridFill& fill,
+                  CellMesh& mesh, const ImprovementSettings& settings) {
     Improver(frame, boundary, lattice, fill, mesh, settings).run();
 }
 

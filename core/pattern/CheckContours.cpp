@@ -11,19 +11,28 @@
 namespace toile::pattern {
 namespace {
 
-constexpr double chordError = 5e-5;  ///< contours are looked at as polygons so near [m]
-constexpr double samePoint = 1e-6;   ///< neighbours nearer than this leave no edge [m]
-constexpr double largest = 100;      ///< a garment's coordinates are smaller [m]
+constexpr double chordError = 5e-5; ///< contours are looked at as polygons so near [m]
+constexpr double samePoint = 1e-6;  ///< neighbours nearer than this leave no edge [m]
+constexpr double largest = 100;     ///< a garment's coordinates are smaller [m]
 
-double mm(double metres) { return metres * 1000; }
+double mm(double metres) {
+    return metres * 1000;
+}
 
-std::string loopPath(int loop) { return loop == 0 ? "" : fmt::format("holes[{}].", loop - 1); }
-const char* loopName(int loop) { return loop == 0 ? "outline" : "hole"; }
+std::string loopPath(int loop) {
+    return loop == 0 ? "" : fmt::format("holes[{}].", loop - 1);
+}
+const char* loopName(int loop) {
+    return loop == 0 ? "outline" : "hole";
+}
 
-bool isSmall(Vec2 p) { return std::abs(p.x) < largest && std::abs(p.y) < largest; } // false for NaN
+bool isSmall(Vec2 p) {
+    return std::abs(p.x) < largest && std::abs(p.y) < largest;
+} // false for NaN
 
 bool isSmall(const EdgeShape& shape) {
-    if (const auto* cubic = std::get_if<geometry::CubicShape>(&shape)) return isSmall(cubic->control1) && isSmall(cubic->control2);
+    if (const auto* cubic = std::get_if<geometry::CubicShape>(&shape))
+        return isSmall(cubic->control1) && isSmall(cubic->control2);
     if (const auto* arc = std::get_if<geometry::ArcShape>(&shape)) return std::abs(arc->bulge) < 1000;
     return true;
 }
@@ -32,7 +41,8 @@ bool checkNumbers(const Contour& contour, int loop, Problems& problems) {
     const std::string at = loopPath(loop);
     const std::size_t n = contour.vertices.size();
     if (n < 3 || contour.edges.size() != n) {
-        problems.error(at + "vertices", fmt::format("A contour needs at least three points, but this {} has {}.", loopName(loop), n));
+        problems.error(at + "vertices",
+                       fmt::format("A contour needs at least three points, but this {} has {}.", loopName(loop), n));
         return false;
     }
     bool sound = true;
@@ -44,13 +54,15 @@ bool checkNumbers(const Contour& contour, int loop, Problems& problems) {
         if (!isSmall(contour.vertices[i].position))
             refuse(fmt::format("vertices[{}]", i), "A point must have finite coordinates below 100 m.");
         if (!isSmall(contour.edges[i].shape))
-            refuse(fmt::format("edges[{}]", i), "The shape of an edge must have finite numbers, coordinates below 100 m.");
+            refuse(fmt::format("edges[{}]", i),
+                   "The shape of an edge must have finite numbers, coordinates below 100 m.");
         if (contour.edges[i].seamAllowance && !(*contour.edges[i].seamAllowance >= 0))
             refuse(fmt::format("edges[{}].seamAllowance", i), "A seam allowance cannot be negative.");
     }
     for (std::size_t i = 0; sound && i < n; ++i)
         if (geometry::distance(contour.vertices[i].position, contour.vertices[(i + 1) % n].position) < samePoint)
-            refuse(fmt::format("edges[{}]", i), fmt::format("The edge \"{}\" has no length: its two points coincide.", contour.edges[i].id.value));
+            refuse(fmt::format("edges[{}]", i),
+                   fmt::format("The edge \"{}\" has no length: its two points coincide.", contour.edges[i].id.value));
     return sound;
 }
 
@@ -61,9 +73,10 @@ bool checkOrientation(const Contour& contour, int loop, Problems& problems) {
         return false;
     }
     if ((area > 0) == (loop == 0)) return true;
-    problems.error(loopPath(loop) + "vertices",
-                   loop == 0 ? "The outline runs clockwise, but must run counter-clockwise seen from the right side of the cloth."
-                             : "The hole runs counter-clockwise, but must run clockwise.");
+    problems.error(
+        loopPath(loop) + "vertices",
+        loop == 0 ? "The outline runs clockwise, but must run counter-clockwise seen from the right side of the cloth."
+                  : "The hole runs counter-clockwise, but must run clockwise.");
     return false;
 }
 
@@ -89,15 +102,17 @@ bool checkCrossings(const Piece& piece, Problems& problems) {
     const auto crossing = firstCrossing(std::move(segments), loopLengths);
     if (!crossing) return true;
     // The later edge is named first: it is usually the one that was moved.
-    const bool swap = std::pair(crossing->first.loop, crossing->first.edge) > std::pair(crossing->second.loop, crossing->second.edge);
+    const bool swap =
+        std::pair(crossing->first.loop, crossing->first.edge) > std::pair(crossing->second.loop, crossing->second.edge);
     const BorderSegment& one = swap ? crossing->second : crossing->first;
     const BorderSegment& other = swap ? crossing->first : crossing->second;
     const auto name = [&](const BorderSegment& s) { return loopOf(piece, s.loop).edges[s.edge].id.value; };
     problems.error(fmt::format("{}edges[{}]", loopPath(one.loop), one.edge),
                    one.loop == other.loop && one.edge == other.edge
-                       ? fmt::format("The edge \"{}\" crosses itself at ({:.2f}, {:.2f}) mm.", name(one), mm(crossing->point.x), mm(crossing->point.y))
-                       : fmt::format("The edges \"{}\" and \"{}\" cross or touch at ({:.2f}, {:.2f}) mm.", name(one), name(other),
-                                     mm(crossing->point.x), mm(crossing->point.y)));
+                       ? fmt::format("The edge \"{}\" crosses itself at ({:.2f}, {:.2f}) mm.", name(one),
+                                     mm(crossing->point.x), mm(crossing->point.y))
+                       : fmt::format("The edges \"{}\" and \"{}\" cross or touch at ({:.2f}, {:.2f}) mm.", name(one),
+                                     name(other), mm(crossing->point.x), mm(crossing->point.y)));
     return false;
 }
 
@@ -119,7 +134,9 @@ bool checkNesting(const Piece& piece, Problems& problems) {
 }
 
 bool checkRegionNumbers(const Region& region, const std::string& at, Problems& problems) {
-    const auto usable = [](const Polygon& polygon) { return polygon.size() >= 3 && std::ranges::all_of(polygon, [](Vec2 p) { return isSmall(p); }); };
+    const auto usable = [](const Polygon& polygon) {
+        return polygon.size() >= 3 && std::ranges::all_of(polygon, [](Vec2 p) { return isSmall(p); });
+    };
     bool sound = true;
     const auto refuse = [&](const char* member, std::string text) {
         problems.error(at + member, std::move(text));
@@ -128,8 +145,10 @@ bool checkRegionNumbers(const Region& region, const std::string& at, Problems& p
     if (!usable(region.outline)) refuse("outline", "A region needs at least three corners with finite coordinates.");
     else if (std::abs(geometry::signedArea(region.outline)) < 1e-10) refuse("outline", "The region encloses no area.");
     for (std::size_t i = 0; i < region.holes.size(); ++i)
-        if (!usable(region.holes[i])) refuse("holes", "A hole of a region needs at least three corners with finite coordinates.");
-    if (region.refinement < 0) refuse("refinement", fmt::format("The refinement is {}, but must be 0 or more.", region.refinement));
+        if (!usable(region.holes[i]))
+            refuse("holes", "A hole of a region needs at least three corners with finite coordinates.");
+    if (region.refinement < 0)
+        refuse("refinement", fmt::format("The refinement is {}, but must be 0 or more.", region.refinement));
     for (const double factor : {region.stiffness.stretch, region.stiffness.shear, region.stiffness.bending})
         if (!(factor > 0 && std::isfinite(factor))) {
             refuse("stiffness", fmt::format("A stiffness factor is {}, but must be positive.", factor));
@@ -164,8 +183,10 @@ void checkRegions(const Piece& piece, Problems& problems) {
         const std::string at = fmt::format("regions[{}].", i);
         if (!checkRegionNumbers(region, at, problems)) continue;
         if (const auto crossing = firstCrossing(segmentsOf(region.outline), {region.outline.size()}))
-            problems.error(at + "outline", fmt::format("The border of the region \"{}\" crosses or touches itself at ({:.2f}, {:.2f}) mm.",
-                                                       region.name, mm(crossing->point.x), mm(crossing->point.y)));
+            problems.error(
+                at + "outline",
+                fmt::format("The border of the region \"{}\" crosses or touches itself at ({:.2f}, {:.2f}) mm.",
+                            region.name, mm(crossing->point.x), mm(crossing->point.y)));
         else if (intersectionOf(cloth, {{region.outline, {}}}).empty())
             problems.error(at + "outline", fmt::format("The region \"{}\" lies outside the piece.", region.name));
     }

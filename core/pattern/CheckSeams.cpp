@@ -11,8 +11,12 @@
 namespace toile::pattern {
 namespace {
 
-double mm(double metres) { return metres * 1000; }
-const char* sideName(std::size_t side) { return side == 0 ? "sideA" : "sideB"; }
+double mm(double metres) {
+    return metres * 1000;
+}
+const char* sideName(std::size_t side) {
+    return side == 0 ? "sideA" : "sideB";
+}
 
 /// Returns whether the part names a stretch that exists.
 bool checkPart(const Pattern& pattern, const SeamPart& part, const std::string& at, Problems& problems) {
@@ -28,8 +32,10 @@ bool checkPart(const Pattern& pattern, const SeamPart& part, const std::string& 
         return false;
     }
     if (part.from >= 0 && part.from < part.to && part.to <= 1) return true;
-    problems.error(at, fmt::format("A stretch runs from a smaller to a larger fraction between 0 and 1, but this one from {} to {}.",
-                                   part.from, part.to));
+    problems.error(
+        at,
+        fmt::format("A stretch runs from a smaller to a larger fraction between 0 and 1, but this one from {} to {}.",
+                    part.from, part.to));
     return false;
 }
 
@@ -41,7 +47,8 @@ bool checkParts(const Pattern& pattern, const Seam& seam, Problems& problems) {
             sound = false;
         }
         for (std::size_t i = 0; i < seam.sides[side].size(); ++i)
-            sound = checkPart(pattern, seam.sides[side][i], fmt::format("{}[{}]", sideName(side), i), problems) && sound;
+            sound =
+                checkPart(pattern, seam.sides[side][i], fmt::format("{}[{}]", sideName(side), i), problems) && sound;
     }
     return sound;
 }
@@ -49,9 +56,11 @@ bool checkParts(const Pattern& pattern, const Seam& seam, Problems& problems) {
 void checkNumbers(const Seam& seam, Problems& problems) {
     if (!(std::abs(seam.foldAngle) < 3.2)) problems.error("foldAngleDegrees", "A fold angle is at most 180°.");
     if (!(seam.stiffnessFactor > 0 && std::isfinite(seam.stiffnessFactor)))
-        problems.error("stiffnessFactor", fmt::format("The stiffness factor is {}, but must be positive.", seam.stiffnessFactor));
+        problems.error("stiffnessFactor",
+                       fmt::format("The stiffness factor is {}, but must be positive.", seam.stiffnessFactor));
     for (std::size_t i = 0; i < seam.sections.size(); ++i) {
-        if (!std::isfinite(seam.sections[i].ease)) problems.error(fmt::format("sections[{}].ease", i), "The ease must be a finite length.");
+        if (!std::isfinite(seam.sections[i].ease))
+            problems.error(fmt::format("sections[{}].ease", i), "The ease must be a finite length.");
         if (seam.sections[i].gatherRatio && !(*seam.sections[i].gatherRatio > 0))
             problems.error(fmt::format("sections[{}].gatherRatio", i), "A gather ratio must be positive.");
     }
@@ -67,8 +76,9 @@ void checkLengths(const Pattern& pattern, const Seam& seam, const SeamTolerance&
         const double difference = std::abs(s.mismatch());
         if (difference <= std::max(tolerance.silent, tolerance.silentShare * std::min(s.a, s.b))) continue;
         const std::string where = sections->size() > 1 ? fmt::format("Section {}: side", i + 1) : "Side";
-        std::string text = fmt::format("{} A is {:.1f} mm long and side B {:.1f} mm; {:.1f} mm of ease are declared, {:.1f} mm are left over.",
-                                       where, mm(s.a), mm(s.b), mm(s.wantedEase), mm(s.mismatch()));
+        std::string text = fmt::format(
+            "{} A is {:.1f} mm long and side B {:.1f} mm; {:.1f} mm of ease are declared, {:.1f} mm are left over.",
+            where, mm(s.a), mm(s.b), mm(s.wantedEase), mm(s.mismatch()));
         if (difference <= tolerance.warning) problems.warning("", std::move(text));
         else problems.error("", std::move(text));
     }
@@ -76,17 +86,21 @@ void checkLengths(const Pattern& pattern, const Seam& seam, const SeamTolerance&
 
 /// Both sides walked the same way round their pieces: the right side of one would meet the wrong side of the other.
 bool joinsRightToWrong(const Pattern& pattern, const Seam& seam) {
-    const auto forward = [&](const SeamPart& part) { return part.reversed == findPiece(pattern, part.piece)->mirror.has_value(); };
+    const auto forward = [&](const SeamPart& part) {
+        return part.reversed == findPiece(pattern, part.piece)->mirror.has_value();
+    };
     const auto allForward = [&](const auto& side) { return std::ranges::all_of(side, forward); };
     const auto noneForward = [&](const auto& side) { return std::ranges::none_of(side, forward); };
-    return (allForward(seam.sides[0]) && allForward(seam.sides[1])) || (noneForward(seam.sides[0]) && noneForward(seam.sides[1]));
+    return (allForward(seam.sides[0]) && allForward(seam.sides[1])) ||
+           (noneForward(seam.sides[0]) && noneForward(seam.sides[1]));
 }
 
 void checkDirection(const Pattern& pattern, const Seam& seam, Problems& problems) {
     if (joinsRightToWrong(pattern, seam))
         problems.warning("", "The seam joins the right side of one piece to the wrong side of the other: reverse it?");
     else if (isTwisted(pattern, seam))
-        problems.warning("", "The seam is twisted: where the pieces are placed, its ends lie nearer the other way round.");
+        problems.warning("",
+                         "The seam is twisted: where the pieces are placed, its ends lie nearer the other way round.");
 }
 
 struct Stretch {
@@ -106,10 +120,11 @@ void checkOverlaps(const Pattern& pattern, std::vector<Problem>& all) {
     for (std::size_t i = 0; i < stretches.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             const SeamPart &p = *stretches[i].part, &q = *stretches[j].part;
-            if (p.piece != q.piece || p.edge != q.edge || std::min(p.to, q.to) - std::max(p.from, q.from) <= rounding) continue;
+            if (p.piece != q.piece || p.edge != q.edge || std::min(p.to, q.to) - std::max(p.from, q.from) <= rounding)
+                continue;
             Problems problems(all, stretches[i].path, placeOf(*stretches[i].seam).object);
-            problems.error("", fmt::format("This stretch of the edge \"{}\" is already sewn by the seam \"{}\".", p.edge.value,
-                                           stretches[j].seam->name));
+            problems.error("", fmt::format("This stretch of the edge \"{}\" is already sewn by the seam \"{}\".",
+                                           p.edge.value, stretches[j].seam->name));
         }
 }
 
@@ -125,7 +140,8 @@ void checkSeams(const Pattern& pattern, const std::set<PieceId>& unsound, const 
         Problems problems(all, fmt::format("seams[{}]", i), placeOf(seam).object);
         checkNumbers(seam, problems);
         if (!checkParts(pattern, seam, problems)) continue;
-        if (!std::ranges::all_of(seam.sides, [&](const auto& side) { return std::ranges::all_of(side, isMeasurable); })) continue;
+        if (!std::ranges::all_of(seam.sides, [&](const auto& side) { return std::ranges::all_of(side, isMeasurable); }))
+            continue;
         checkLengths(pattern, seam, tolerance, problems);
         checkDirection(pattern, seam, problems);
     }

@@ -37,7 +37,8 @@ bool foldBack(const BorderSegment& p, const BorderSegment& q) {
 
 } // namespace
 
-std::optional<Crossing> firstCrossing(std::vector<BorderSegment> segments, const std::vector<std::size_t>& loopLengths) {
+std::optional<Crossing> firstCrossing(std::vector<BorderSegment> segments,
+                                      const std::vector<std::size_t>& loopLengths) {
     const auto left = [](const BorderSegment& s) { return std::min(s.a.x, s.b.x); };
     const auto right = [](const BorderSegment& s) { return std::max(s.a.x, s.b.x); };
     std::ranges::sort(segments, {}, left);

@@ -20,8 +20,9 @@ struct Crossing {
     Vec2 point;
 };
 
-/// A point where two segments that do not follow each other along a loop cross or touch; the first found by a sweep from
-/// left to right. `loopLengths[loop]` is the number of segments of a loop.
-[[nodiscard]] std::optional<Crossing> firstCrossing(std::vector<BorderSegment> segments, const std::vector<std::size_t>& loopLengths);
+/// A point where two segments that do not follow each other along a loop cross or touch; the first found by a sweep
+/// from left to right. `loopLengths[loop]` is the number of segments of a loop.
+[[nodiscard]] std::optional<Crossing> firstCrossing(std::vector<BorderSegment> segments,
+                                                    const std::vector<std::size_t>& loopLengths);
 
 } // namespace toile::pattern

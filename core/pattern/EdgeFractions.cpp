@@ -62,12 +62,14 @@ bool liesOn(const Pattern& pattern, const SeamPart& part, const PieceId& piece, 
     return image && image->mirror && image->mirror->source == piece;
 }
 
-void rewriteAfterSplit(Pattern& pattern, const PieceId& piece, const EdgeId& edge, const EdgeId& after, double fraction) {
+void rewriteAfterSplit(Pattern& pattern, const PieceId& piece, const EdgeId& edge, const EdgeId& after,
+                       double fraction) {
     for (Seam& seam : pattern.seams)
         for (auto& side : seam.sides) {
             std::vector<SeamPart> parts;
             for (const SeamPart& part : side) {
-                const auto pieces = liesOn(pattern, part, piece, edge) ? split(part, after, fraction) : std::vector{part};
+                const auto pieces =
+                    liesOn(pattern, part, piece, edge) ? split(part, after, fraction) : std::vector{part};
                 parts.insert(parts.end(), pieces.begin(), pieces.end());
             }
             side = std::move(parts);
@@ -82,7 +84,8 @@ void rewriteAfterSplit(Pattern& pattern, const PieceId& piece, const EdgeId& edg
     });
 }
 
-void rewriteAfterJoin(Pattern& pattern, const PieceId& piece, const EdgeId& edge, const EdgeId& after, double fraction) {
+void rewriteAfterJoin(Pattern& pattern, const PieceId& piece, const EdgeId& edge, const EdgeId& after,
+                      double fraction) {
     for (Seam& seam : pattern.seams)
         for (auto& side : seam.sides) {
             for (SeamPart& part : side) {

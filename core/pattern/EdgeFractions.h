@@ -9,7 +9,8 @@ namespace toile::pattern {
 // they stay where they are.
 
 /// `edge` was split at the fraction; its second part is called `after`.
-void rewriteAfterSplit(Pattern& pattern, const PieceId& piece, const EdgeId& edge, const EdgeId& after, double fraction);
+void rewriteAfterSplit(Pattern& pattern, const PieceId& piece, const EdgeId& edge, const EdgeId& after,
+                       double fraction);
 /// `edge` and `after` became one edge called `edge`, their joint now lies at the fraction.
 void rewriteAfterJoin(Pattern& pattern, const PieceId& piece, const EdgeId& edge, const EdgeId& after, double fraction);
 

@@ -6,8 +6,12 @@
 
 namespace toile::pattern {
 
-Place placeOf(const Piece& piece) { return {.object = fmt::format("piece \"{}\"", piece.name)}; }
-Place placeOf(const Seam& seam) { return {.object = fmt::format("seam \"{}\"", seam.name)}; }
+Place placeOf(const Piece& piece) {
+    return {.object = fmt::format("piece \"{}\"", piece.name)};
+}
+Place placeOf(const Seam& seam) {
+    return {.object = fmt::format("seam \"{}\"", seam.name)};
+}
 
 Result<Pattern> changed(const Pattern& pattern, const PieceId& id, const std::function<Result<void>(Piece&)>& change) {
     const auto found = std::ranges::find_if(pattern.pieces, [&](const auto& piece) { return piece->id == id; });
@@ -24,7 +28,8 @@ Result<Pattern> changedShape(const Pattern& pattern, const PieceId& id,
                              const std::function<Result<void>(Piece&)>& change) {
     return changed(pattern, id, [&](Piece& piece) -> Result<void> {
         if (piece.mirror)
-            return fail(ErrorCode::invalidInput, "This piece is a mirror image: edit the piece it is made from.", placeOf(piece));
+            return fail(ErrorCode::invalidInput, "This piece is a mirror image: edit the piece it is made from.",
+                        placeOf(piece));
         return change(piece);
     });
 }

@@ -16,7 +16,7 @@ auto* findById(Range& range, const IdType& id) {
         else return item.id == id;
     });
     using Item = std::remove_reference_t<decltype(*found)>;
-    if constexpr (requires(Item& item) { item->id; }) return found == range.end() ? nullptr : &**found;
+    if constexpr (requires(Item & item) { item->id; }) return found == range.end() ? nullptr : &**found;
     else return found == range.end() ? nullptr : &*found;
 }
 
@@ -69,14 +69,21 @@ Vec3 placed(const Placement& placement, Vec2 point) {
         const double aside = radius * std::sin(s / radius), inward = radius * (std::cos(s / radius) - 1);
         const Vec2 flat = along * dot(point, along) + across * aside;
         p = {flat.x, flat.y, inward};
-        if (placement.curl->bent) p = laidAlong(*placement.curl->bent, dot(point, along), {aside, 0, inward + radius}) - Vec3{0, 0, radius};
+        if (placement.curl->bent)
+            p = laidAlong(*placement.curl->bent, dot(point, along), {aside, 0, inward + radius}) - Vec3{0, 0, radius};
     }
     return placement.transform.point(p);
 }
 
-const Piece* findPiece(const Pattern& pattern, const PieceId& id) { return findById(pattern.pieces, id); }
-const Seam* findSeam(const Pattern& pattern, const SeamId& id) { return findById(pattern.seams, id); }
-const Fabric* findFabric(const Pattern& pattern, const FabricId& id) { return findById(pattern.fabrics, id); }
+const Piece* findPiece(const Pattern& pattern, const PieceId& id) {
+    return findById(pattern.pieces, id);
+}
+const Seam* findSeam(const Pattern& pattern, const SeamId& id) {
+    return findById(pattern.seams, id);
+}
+const Fabric* findFabric(const Pattern& pattern, const FabricId& id) {
+    return findById(pattern.fabrics, id);
+}
 
 Piece resolved(const Pattern& pattern, const Piece& piece) {
     if (!piece.mirror) return piece;

@@ -93,8 +93,9 @@ struct Region {
 };
 
 /// Where the middle of a rolled piece runs when it follows a bent limb: each circle of the roll stands square to this
-/// line, and keeps its radius. At the piece's origin it faces as without the line, and turns nowhere about it. Along the line lengths stay in the middle; outside a bend the piece starts stretched by
-/// R/ρ, inside as much shortened, with ρ the bend's radius.
+/// line, and keeps its radius. At the piece's origin it faces as without the line, and turns nowhere about it. Along
+/// the line lengths stay in the middle; outside a bend the piece starts stretched by R/ρ, inside as much shortened,
+/// with ρ the bend's radius.
 struct BentLine {
     double from = 0;          ///< coordinate along the curl's axis of the line's first point [m]
     std::vector<Vec3> points; ///< in the frame of the placement, from the middle of the roll at the piece's origin [m];
@@ -106,8 +107,8 @@ struct BentLine {
 /// A point at distance s from that line, across `axis`, goes to (R·sin(s/R), R·(cos(s/R) − 1)) in the plane
 /// across the axis, the second coordinate along the right side's normal.
 struct Curl {
-    Vec2 axis{0, 1};   ///< unit direction, in the piece, of the lines that stay straight
-    double radius = 1; ///< R [m]
+    Vec2 axis{0, 1};                ///< unit direction, in the piece, of the lines that stay straight
+    double radius = 1;              ///< R [m]
     std::optional<BentLine> bent{}; ///< absent = the middle of the roll is straight
     friend bool operator==(const Curl&, const Curl&) = default;
 };
@@ -148,9 +149,9 @@ struct Piece {
     std::optional<MirrorOf> mirror;
     LineRule rule = LineRule::regular;
     RegionBorder border = RegionBorder::snap;
-    Vec2 tablePosition;          ///< where the piece's origin lies on the pattern table, the plane of the 2D view [m];
-                                 ///< shape, mesh and placement do not depend on it
-    Json unknown;                ///< keys of the file that we do not know; kept
+    Vec2 tablePosition; ///< where the piece's origin lies on the pattern table, the plane of the 2D view [m];
+                        ///< shape, mesh and placement do not depend on it
+    Json unknown;       ///< keys of the file that we do not know; kept
     friend bool operator==(const Piece&, const Piece&) = default;
 };
 

@@ -19,7 +19,8 @@ template <class IdType>
 class Unique {
 public:
     void check(const IdType& id, const std::string& member, Problems& problems) {
-        if (!seen_.insert(id).second) problems.error(member + "id", fmt::format("The id \"{}\" is given twice.", id.value));
+        if (!seen_.insert(id).second)
+            problems.error(member + "id", fmt::format("The id \"{}\" is given twice.", id.value));
     }
 
 private:
@@ -44,11 +45,13 @@ void checkIdsWithin(const Piece& piece, Problems& problems) {
 
 void checkNumbers(const Pattern& pattern, const Piece& piece, Problems& problems) {
     if (!(piece.spacing > 0 && std::isfinite(piece.spacing)))
-        problems.error("spacing", fmt::format("The spacing is {} mm, but must be a positive length.", piece.spacing * 1000));
+        problems.error("spacing",
+                       fmt::format("The spacing is {} mm, but must be a positive length.", piece.spacing * 1000));
     if (!(piece.seamAllowance >= 0 && std::isfinite(piece.seamAllowance)))
         problems.error("seamAllowance", "A seam allowance cannot be negative.");
     if (!std::isfinite(piece.grain)) problems.error("grainDegrees", "The grain needs a finite angle.");
-    if (!geometry::isFinite(piece.tablePosition)) problems.error("tablePosition", "A position must have finite coordinates.");
+    if (!geometry::isFinite(piece.tablePosition))
+        problems.error("tablePosition", "A position must have finite coordinates.");
     if (piece.fabric.empty()) problems.error("fabric", "The piece is cut from no fabric.");
     else if (!findFabric(pattern, piece.fabric))
         problems.error("fabric", fmt::format("There is no fabric \"{}\".", piece.fabric.value));
@@ -65,16 +68,20 @@ void checkPlacement(const Piece& piece, Problems& problems) {
     if (!(std::abs(geometry::length(curl.axis) - 1) < 1e-6))
         problems.error("placement.curl.axis", "The axis of a curl must be a unit direction.");
     if (curl.bent && !isLine(*curl.bent))
-        problems.error("placement.curl.bent", "A bent middle needs two points at least, and no two neighbours in one place.");
+        problems.error("placement.curl.bent",
+                       "A bent middle needs two points at least, and no two neighbours in one place.");
 }
 
 void checkNotches(const Piece& piece, Problems& problems) {
     for (std::size_t i = 0; i < piece.notches.size(); ++i) {
         const Notch& notch = piece.notches[i];
         if (!findEdge(piece, notch.edge))
-            problems.error(fmt::format("notches[{}].edge", i), fmt::format("The piece has no edge \"{}\".", notch.edge.value));
+            problems.error(fmt::format("notches[{}].edge", i),
+                           fmt::format("The piece has no edge \"{}\".", notch.edge.value));
         if (!(notch.position >= 0 && notch.position <= 1))
-            problems.error(fmt::format("notches[{}].position", i), fmt::format("A notch lies at a fraction from 0 to 1 of its edge, but this one at {}.", notch.position));
+            problems.error(
+                fmt::format("notches[{}].position", i),
+                fmt::format("A notch lies at a fraction from 0 to 1 of its edge, but this one at {}.", notch.position));
     }
     for (std::size_t i = 0; i < piece.internalLines.size(); ++i)
         if (!std::ranges::all_of(piece.internalLines[i].points, [](Vec2 p) { return geometry::isFinite(p); }))
@@ -86,7 +93,9 @@ void checkMirror(const Pattern& pattern, const Piece& piece, Problems& problems)
     const Piece* source = findPiece(pattern, mirror.source);
     if (!source) problems.error("mirror.source", fmt::format("There is no piece \"{}\".", mirror.source.value));
     else if (source->mirror)
-        problems.error("mirror.source", fmt::format("The piece \"{}\" is a mirror image itself: name the piece it is made from.", source->name));
+        problems.error(
+            "mirror.source",
+            fmt::format("The piece \"{}\" is a mirror image itself: name the piece it is made from.", source->name));
     if (!(geometry::distance(mirror.lineStart, mirror.lineEnd) > 1e-9))
         problems.error("mirror.line", "A mirror line needs two different points.");
 }
@@ -137,9 +146,11 @@ void checkPins(const Pattern& pattern, std::vector<Problem>& all) {
         const Piece* shape = piece ? shapeOf(pattern, *piece) : nullptr;
         if (!piece) problems.error("piece", fmt::format("There is no piece \"{}\".", pin.piece.value));
         else if (shape && !findVertex(*shape, pin.vertex))
-            problems.error("vertex", fmt::format("The piece \"{}\" has no point \"{}\".", piece->name, pin.vertex.value));
+            problems.error("vertex",
+                           fmt::format("The piece \"{}\" has no point \"{}\".", piece->name, pin.vertex.value));
         else if (!held.insert({pin.piece, pin.vertex}).second)
-            problems.error("vertex", fmt::format("The point \"{}\" of the piece \"{}\" is pinned twice.", pin.vertex.value, piece->name));
+            problems.error("vertex", fmt::format("The point \"{}\" of the piece \"{}\" is pinned twice.",
+                                                 pin.vertex.value, piece->name));
     }
 }
 
@@ -160,9 +171,12 @@ std::vector<Problem> checkPattern(const Pattern& pattern, const SeamTolerance& t
 }
 
 std::string toString(const Problem& problem) {
-    return toile::toString(Error{ErrorCode::invalidInput, (problem.isError ? "" : "warning: ") + problem.text, problem.place});
+    return toile::toString(
+        Error{ErrorCode::invalidInput, (problem.isError ? "" : "warning: ") + problem.text, problem.place});
 }
 
-bool hasErrors(const std::vector<Problem>& problems) { return std::ranges::any_of(problems, &Problem::isError); }
+bool hasErrors(const std::vector<Problem>& problems) {
+    return std::ranges::any_of(problems, &Problem::isError);
+}
 
 } // namespace toile::pattern

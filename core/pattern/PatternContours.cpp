@@ -15,9 +15,9 @@ using geometry::CubicShape;
 using geometry::Curve;
 using geometry::LineShape;
 
-constexpr double nearEnd = 1e-9;      ///< fractions this near to an end of an edge are the end [–]
-constexpr double samePoint = 1e-9;    ///< points nearer than this coincide [m]
-constexpr double sameCircle = 1e-7;   ///< arcs whose centres and radii differ by less lie on one circle [m]
+constexpr double nearEnd = 1e-9;    ///< fractions this near to an end of an edge are the end [–]
+constexpr double samePoint = 1e-9;  ///< points nearer than this coincide [m]
+constexpr double sameCircle = 1e-7; ///< arcs whose centres and radii differ by less lie on one circle [m]
 
 Result<LoopIndex> edgeIn(const Piece& piece, const EdgeId& edge) {
     if (const auto at = findEdge(piece, edge)) return *at;
@@ -34,7 +34,9 @@ Result<void> finite(Vec2 p, const Piece& piece) {
     return fail(ErrorCode::invalidInput, "A point must have finite coordinates.", placeOf(piece));
 }
 
-std::size_t before(const Contour& contour, std::size_t i) { return (i + contour.edges.size() - 1) % contour.edges.size(); }
+std::size_t before(const Contour& contour, std::size_t i) {
+    return (i + contour.edges.size() - 1) % contour.edges.size();
+}
 
 /// Moves a vertex with the handles at it.
 void moveWithHandles(Contour& contour, std::size_t i, Vec2 by) {
@@ -64,7 +66,8 @@ struct ArcCircle {
 /// An arc of bulge ≠ 0.
 ArcCircle circleOf(const Curve& curve, double bulge) {
     const Vec2 chord = curve.end - curve.start;
-    const Vec2 centre = geometry::lerp(curve.start, curve.end, 0.5) + geometry::leftOf(chord) * ((1 - bulge * bulge) / (4 * bulge));
+    const Vec2 centre =
+        geometry::lerp(curve.start, curve.end, 0.5) + geometry::leftOf(chord) * ((1 - bulge * bulge) / (4 * bulge));
     return {centre, geometry::distance(centre, curve.start)};
 }
 
@@ -101,7 +104,8 @@ bool sameCourse(const Curve& joined, const Curve& a, const Curve& b, double frac
     const geometry::ArcLength whole(joined), first(a), second(b);
     for (const double f : {0.25, 0.5, 0.75, 1.0}) {
         if (geometry::distance(whole.pointAt(fraction * f), first.pointAt(f)) > tolerance) return false;
-        if (geometry::distance(whole.pointAt(fraction + (1 - fraction) * f), second.pointAt(f)) > tolerance) return false;
+        if (geometry::distance(whole.pointAt(fraction + (1 - fraction) * f), second.pointAt(f)) > tolerance)
+            return false;
     }
     return true;
 }
@@ -123,7 +127,8 @@ void dropPins(Edited& edited, const PieceId& piece, std::span<const VertexId> go
         return here && std::ranges::find(gone, pin.vertex) != gone.end();
     });
     if (pins > 0)
-        edited.warnings.push_back({toString(placeOf(*findPiece(edited.pattern, piece))), "the pin of a deleted point is gone."});
+        edited.warnings.push_back(
+            {toString(placeOf(*findPiece(edited.pattern, piece))), "the pin of a deleted point is gone."});
 }
 
 } // namespace
@@ -131,7 +136,8 @@ void dropPins(Edited& edited, const PieceId& piece, std::span<const VertexId> go
 Result<Contour> contourThrough(std::span<const Vec2> points, std::span<const EdgeShape> shapes, IdSource& ids) {
     if (points.size() < 3) return fail(ErrorCode::invalidInput, "A contour needs at least three points.");
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!geometry::isFinite(points[i])) return fail(ErrorCode::invalidInput, "A point must have finite coordinates.");
+        if (!geometry::isFinite(points[i]))
+            return fail(ErrorCode::invalidInput, "A point must have finite coordinates.");
         if (geometry::distance(points[i], points[(i + 1) % points.size()]) < samePoint)
             return fail(ErrorCode::invalidInput, "Two neighbouring points of a contour must not coincide.");
     }
@@ -157,7 +163,8 @@ Result<Pattern> moveVertex(const Pattern& pattern, const PieceId& piece, const V
     });
 }
 
-Result<Pattern> moveVertices(const Pattern& pattern, const PieceId& piece, std::span<const VertexId> vertices, Vec2 by) {
+Result<Pattern> moveVertices(const Pattern& pattern, const PieceId& piece, std::span<const VertexId> vertices,
+                             Vec2 by) {
     return changedShape(pattern, piece, [&](Piece& p) -> Result<void> {
         for (const VertexId& vertex : vertices) {
             const auto at = vertexIn(p, vertex);
@@ -194,7 +201,8 @@ Result<Pattern> setEdgeShape(const Pattern& pattern, const PieceId& piece, const
         return edgeIn(p, edge).and_then([&](LoopIndex at) {
             loopOf(p, at.loop).edges[at.index].shape = shape;
             if (const auto* arc = std::get_if<ArcShape>(&shape); arc && !std::isfinite(arc->bulge))
-                return Result<void>(fail(ErrorCode::invalidInput, "The bulge of an arc must be a finite number.", placeOf(p)));
+                return Result<void>(
+                    fail(ErrorCode::invalidInput, "The bulge of an arc must be a finite number.", placeOf(p)));
             if (const auto* cubic = std::get_if<CubicShape>(&shape))
                 return finite(cubic->control1 + cubic->control2, p);
             return Result<void>();
@@ -211,7 +219,8 @@ Result<Pattern> setEdgeSeamAllowance(const Pattern& pattern, const PieceId& piec
     });
 }
 
-Result<Pattern> insertVertex(const Pattern& pattern, const PieceId& piece, const EdgeId& edge, double fraction, IdSource& ids) {
+Result<Pattern> insertVertex(const Pattern& pattern, const PieceId& piece, const EdgeId& edge, double fraction,
+                             IdSource& ids) {
     const EdgeId after = ids.take<EdgeId>();
     auto next = changedShape(pattern, piece, [&](Piece& p) -> Result<void> {
         if (!(fraction > nearEnd && fraction < 1 - nearEnd))
@@ -242,7 +251,8 @@ Result<Edited> deleteVertex(const Pattern& pattern, const PieceId& piece, const 
         if (!at) return tl::unexpected<Error>(at.error());
         Contour& contour = loopOf(p, at->loop);
         if (contour.vertices.size() <= 3)
-            return fail(ErrorCode::invalidInput, "A contour needs at least three points: delete the whole instead.", placeOf(p));
+            return fail(ErrorCode::invalidInput, "A contour needs at least three points: delete the whole instead.",
+                        placeOf(p));
         const std::size_t in = before(contour, at->index);
         const Curve a = curveOf(contour, in), b = curveOf(contour, at->index);
         const Curve joined{a.start, b.end, joinedShape(a, b)};
@@ -258,9 +268,12 @@ Result<Edited> deleteVertex(const Pattern& pattern, const PieceId& piece, const 
     if (!next) return tl::unexpected<Error>(std::move(next).error());
     Edited edited{*std::move(next), {}};
     if (moved)
-        edited.warnings = warnOfSeams(pattern, [&](const SeamPart& part) {
-            return liesOn(pattern, part, piece, kept) || liesOn(pattern, part, piece, gone);
-        }, "its course has changed with the deleted point.");
+        edited.warnings = warnOfSeams(
+            pattern,
+            [&](const SeamPart& part) {
+                return liesOn(pattern, part, piece, kept) || liesOn(pattern, part, piece, gone);
+            },
+            "its course has changed with the deleted point.");
     rewriteAfterJoin(edited.pattern, piece, kept, gone, fraction);
     dropPins(edited, piece, std::span(&vertex, 1));
     return edited;
@@ -268,7 +281,9 @@ Result<Edited> deleteVertex(const Pattern& pattern, const PieceId& piece, const 
 
 Result<Pattern> addHole(const Pattern& pattern, const PieceId& piece, std::span<const Vec2> points, IdSource& ids) {
     return changedShape(pattern, piece, [&](Piece& p) -> Result<void> {
-        return contourThrough(points, {}, ids).map([&](Contour hole) { p.holes.push_back(turnedRound(std::move(hole))); });
+        return contourThrough(points, {}, ids).map([&](Contour hole) {
+            p.holes.push_back(turnedRound(std::move(hole)));
+        });
     });
 }
 

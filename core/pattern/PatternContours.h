@@ -13,7 +13,8 @@ namespace toile::pattern {
 
 /// A contour through points with an edge shape from each point to the next; missing shapes are lines. Turned to run
 /// counter-clockwise. Error when there are fewer than three points, two neighbours coincide, or the area is zero.
-[[nodiscard]] Result<Contour> contourThrough(std::span<const Vec2> points, std::span<const EdgeShape> shapes, IdSource& ids);
+[[nodiscard]] Result<Contour> contourThrough(std::span<const Vec2> points, std::span<const EdgeShape> shapes,
+                                             IdSource& ids);
 
 /// The handles of Bézier edges at the vertex go with it.
 [[nodiscard]] Result<Pattern> moveVertex(const Pattern& pattern, const PieceId& piece, const VertexId& vertex, Vec2 to);
@@ -23,8 +24,10 @@ namespace toile::pattern {
 
 enum class Handle { first, second };
 /// Moves a control point of a Bézier edge. A line or an arc becomes the Bézier curve nearest to it first.
-[[nodiscard]] Result<Pattern> moveHandle(const Pattern& pattern, const PieceId& piece, const EdgeId& edge, Handle handle, Vec2 to);
-[[nodiscard]] Result<Pattern> setEdgeShape(const Pattern& pattern, const PieceId& piece, const EdgeId& edge, const EdgeShape& shape);
+[[nodiscard]] Result<Pattern> moveHandle(const Pattern& pattern, const PieceId& piece, const EdgeId& edge,
+                                         Handle handle, Vec2 to);
+[[nodiscard]] Result<Pattern> setEdgeShape(const Pattern& pattern, const PieceId& piece, const EdgeId& edge,
+                                           const EdgeShape& shape);
 /// Control points of the cubic that stands for a curve: exact for lines and Béziers, for arcs with the same end points,
 /// tangents and middle.
 [[nodiscard]] geometry::CubicShape cubicOf(const geometry::Curve& curve);
@@ -34,15 +37,16 @@ enum class Handle { first, second };
 
 /// Splits an edge at a fraction of its arc length in (0, 1) without changing its course. The first part keeps the
 /// edge's id; seams and notches are rewritten to the same places.
-[[nodiscard]] Result<Pattern> insertVertex(const Pattern& pattern, const PieceId& piece, const EdgeId& edge, double fraction,
-                                           IdSource& ids);
+[[nodiscard]] Result<Pattern> insertVertex(const Pattern& pattern, const PieceId& piece, const EdgeId& edge,
+                                           double fraction, IdSource& ids);
 /// Joins the two edges at a vertex into one, which keeps the first one's id: the curve both were split from where there
 /// is one, else one with the same end tangents. Seams and notches are rewritten; pins of the vertex are dropped.
 /// A warning names each seam whose course has changed.
 [[nodiscard]] Result<Edited> deleteVertex(const Pattern& pattern, const PieceId& piece, const VertexId& vertex);
 
 /// Cuts a hole; it is turned to run clockwise.
-[[nodiscard]] Result<Pattern> addHole(const Pattern& pattern, const PieceId& piece, std::span<const Vec2> points, IdSource& ids);
+[[nodiscard]] Result<Pattern> addHole(const Pattern& pattern, const PieceId& piece, std::span<const Vec2> points,
+                                      IdSource& ids);
 /// Seams along the hole are dropped with a warning.
 [[nodiscard]] Result<Edited> deleteHole(const Pattern& pattern, const PieceId& piece, std::size_t hole);
 

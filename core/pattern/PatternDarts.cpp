@@ -18,16 +18,14 @@ struct Mouth {
 };
 
 Result<Mouth> mouthOf(const Piece& piece, const Dart& dart) {
-    if (!findEdge(piece, dart.edge))
-        return fail(ErrorCode::notFound, "There is no such edge.", placeOf(piece));
+    if (!findEdge(piece, dart.edge)) return fail(ErrorCode::notFound, "There is no such edge.", placeOf(piece));
     if (!(dart.width > 0 && std::isfinite(dart.width)))
         return fail(ErrorCode::invalidInput, "A dart needs a width.", placeOf(piece));
     const double half = dart.width / 2 / edgeLength(piece, dart.edge);
     const Mouth mouth{dart.middle - half, dart.middle + half};
     constexpr double nearEnd = 1e-6;
     if (!(mouth.from > nearEnd && mouth.to < 1 - nearEnd))
-        return fail(ErrorCode::invalidInput, "The mouth of the dart reaches beyond the edge.",
-                    placeOf(piece));
+        return fail(ErrorCode::invalidInput, "The mouth of the dart reaches beyond the edge.", placeOf(piece));
     if (std::ranges::any_of(piece.notches, [&](const Notch& notch) {
             return notch.edge == dart.edge && notch.position > mouth.from && notch.position < mouth.to;
         }))
@@ -63,13 +61,11 @@ void letGo(Pattern& pattern, const PieceId& piece, const Legs& legs) {
     };
     for (Seam& seam : pattern.seams)
         for (auto& side : seam.sides) std::erase_if(side, onLeg);
-    std::erase_if(pattern.seams,
-                  [](const Seam& seam) { return seam.sides[0].empty() || seam.sides[1].empty(); });
+    std::erase_if(pattern.seams, [](const Seam& seam) { return seam.sides[0].empty() || seam.sides[1].empty(); });
 }
 
 /// The legs of the piece and of its mirror images.
-Result<Pattern> sewn(Pattern pattern, const PieceId& piece, const Legs& legs, const std::string& name,
-                     IdSource& ids) {
+Result<Pattern> sewn(Pattern pattern, const PieceId& piece, const Legs& legs, const std::string& name, IdSource& ids) {
     std::vector<PieceId> pieces{piece};
     for (const auto& other : pattern.pieces)
         if (other->mirror && other->mirror->source == piece) pieces.push_back(other->id);

@@ -17,7 +17,7 @@ struct Dart {
 /// Cuts a dart and sews its legs, mouth to mouth, tip to tip; in mirror images too. Seams along the edge pass
 /// over the mouth. Error when the mouth reaches beyond the edge, when a notch lies in it, or when the tip is
 /// not inside.
-[[nodiscard]] Result<Pattern> addDart(const Pattern& pattern, const PieceId& piece, const Dart& dart,
-                                      std::string name, IdSource& ids);
+[[nodiscard]] Result<Pattern> addDart(const Pattern& pattern, const PieceId& piece, const Dart& dart, std::string name,
+                                      IdSource& ids);
 
 } // namespace toile::pattern

@@ -43,7 +43,8 @@ Result<Pattern> removeFabric(const Pattern& pattern, const FabricId& fabric) {
     if (found == pattern.fabrics.end()) return tl::unexpected<Error>(unknownFabric(fabric));
     for (const auto& piece : pattern.pieces)
         if (piece->fabric == fabric)
-            return fail(ErrorCode::invalidInput, fmt::format("The fabric \"{}\" is in use.", (*found)->name), placeOf(*piece));
+            return fail(ErrorCode::invalidInput, fmt::format("The fabric \"{}\" is in use.", (*found)->name),
+                        placeOf(*piece));
     Pattern next = pattern;
     next.fabrics.erase(next.fabrics.begin() + (found - pattern.fabrics.begin()));
     return next;

@@ -44,8 +44,7 @@ std::optional<Side> measured(const Pattern& pattern, const std::vector<SeamPart>
     }
     std::erase_if(side.notches, [&](double at) { return at < samePoint || at > side.length - samePoint; });
     std::ranges::sort(side.notches);
-    const auto [first, last] =
-        std::ranges::unique(side.notches, [](double x, double y) { return y - x < samePoint; });
+    const auto [first, last] = std::ranges::unique(side.notches, [](double x, double y) { return y - x < samePoint; });
     side.notches.erase(first, last);
     return side;
 }
@@ -84,7 +83,9 @@ Contour& loopOf(Piece& piece, int loop) {
     return loop == 0 ? piece.outline : piece.holes[static_cast<std::size_t>(loop - 1)];
 }
 
-geometry::Curve curveOf(const Piece& piece, const LoopIndex& edge) { return curveOf(loopOf(piece, edge.loop), edge.index); }
+geometry::Curve curveOf(const Piece& piece, const LoopIndex& edge) {
+    return curveOf(loopOf(piece, edge.loop), edge.index);
+}
 
 double edgeLength(const Piece& piece, const EdgeId& edge) {
     const auto at = findEdge(piece, edge);

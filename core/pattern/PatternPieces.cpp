@@ -10,8 +10,8 @@
 namespace toile::pattern {
 namespace {
 
-constexpr double tableGap = 0.05;   ///< between pieces laid out on the table [m]
-constexpr double tableWidth = 2.5;  ///< of a row of pieces [m]
+constexpr double tableGap = 0.05;  ///< between pieces laid out on the table [m]
+constexpr double tableWidth = 2.5; ///< of a row of pieces [m]
 
 geometry::Box2 tableBox(const Pattern& pattern, const Piece& piece) {
     const Polygon outline = flattened(resolved(pattern, piece).outline, 1e-3);
@@ -38,7 +38,8 @@ std::vector<PieceId> withImages(const Pattern& pattern, const PieceId& piece) {
 Result<Pattern> addPiece(const Pattern& pattern, Piece piece) {
     if (piece.id.empty()) return fail(ErrorCode::invalidInput, "A piece needs an id.", placeOf(piece));
     if (findPiece(pattern, piece.id))
-        return fail(ErrorCode::invalidInput, fmt::format("There is a piece \"{}\" already.", piece.id.value), placeOf(piece));
+        return fail(ErrorCode::invalidInput, fmt::format("There is a piece \"{}\" already.", piece.id.value),
+                    placeOf(piece));
     if (!piece.mirror && piece.outline.vertices.empty())
         return fail(ErrorCode::invalidInput, "A piece needs an outline.", placeOf(piece));
     Pattern next = pattern;
@@ -46,12 +47,13 @@ Result<Pattern> addPiece(const Pattern& pattern, Piece piece) {
     return next;
 }
 
-Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Vec2 lineStart, Vec2 lineEnd, std::string name,
-                               IdSource& ids) {
+Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Vec2 lineStart, Vec2 lineEnd,
+                               std::string name, IdSource& ids) {
     const Piece* original = findPiece(pattern, source);
     if (!original) return fail(ErrorCode::notFound, fmt::format("There is no piece \"{}\".", source.value));
     if (original->mirror)
-        return fail(ErrorCode::invalidInput, "This piece is a mirror image: mirror the piece it is made from.", placeOf(*original));
+        return fail(ErrorCode::invalidInput, "This piece is a mirror image: mirror the piece it is made from.",
+                    placeOf(*original));
     if (!(geometry::distance(lineStart, lineEnd) > 1e-9))
         return fail(ErrorCode::invalidInput, "A mirror line needs two different points.", placeOf(*original));
     Piece image;

@@ -11,8 +11,8 @@ namespace toile::pattern {
 /// Adds a piece that has its id (IdSource, contourThrough). Error when the id is taken or the outline is empty.
 [[nodiscard]] Result<Pattern> addPiece(const Pattern& pattern, Piece piece);
 /// Adds a mirror image: it follows every edit of its source. The line goes through two points of the source [m].
-[[nodiscard]] Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Vec2 lineStart, Vec2 lineEnd,
-                                             std::string name, IdSource& ids);
+[[nodiscard]] Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Vec2 lineStart,
+                                             Vec2 lineEnd, std::string name, IdSource& ids);
 /// Its mirror images, seams and pins go with it; a warning names each.
 [[nodiscard]] Result<Edited> deletePiece(const Pattern& pattern, const PieceId& piece);
 
@@ -33,7 +33,8 @@ namespace toile::pattern {
 [[nodiscard]] bool piecesCoverEachOther(const Pattern& pattern);
 
 /// Holds a vertex where it starts. Error when it is held already.
-[[nodiscard]] Result<Pattern> addPin(const Pattern& pattern, const PieceId& piece, const VertexId& vertex, IdSource& ids);
+[[nodiscard]] Result<Pattern> addPin(const Pattern& pattern, const PieceId& piece, const VertexId& vertex,
+                                     IdSource& ids);
 [[nodiscard]] Result<Pattern> removePin(const Pattern& pattern, const PinId& pin);
 
 } // namespace toile::pattern

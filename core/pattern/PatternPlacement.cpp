@@ -15,14 +15,15 @@ Result<Curl> usable(const Curl& curl, const Piece& piece) {
     if (!(curl.radius > 0 && std::isfinite(curl.radius)))
         return fail(ErrorCode::invalidInput, "The radius of a curl must be a positive length.", placeOf(piece));
     if (curl.bent && !isLine(*curl.bent))
-        return fail(ErrorCode::invalidInput, "A bent middle needs two points at least, and no two neighbours in one place.",
-                    placeOf(piece));
+        return fail(ErrorCode::invalidInput,
+                    "A bent middle needs two points at least, and no two neighbours in one place.", placeOf(piece));
     return Curl{curl.axis / size, curl.radius, curl.bent};
 }
 
 Result<void> rigid(const Transform& transform, const Piece& piece) {
     if (isRigid(transform)) return {};
-    return fail(ErrorCode::invalidInput, "A placement moves and turns a piece, but does not stretch or mirror it.", placeOf(piece));
+    return fail(ErrorCode::invalidInput, "A placement moves and turns a piece, but does not stretch or mirror it.",
+                placeOf(piece));
 }
 
 } // namespace
@@ -37,7 +38,8 @@ bool isRigid(const Transform& t) {
 bool isLine(const BentLine& bent) {
     const std::vector<Vec3>& points = bent.points;
     const auto apart = [](const Vec3& a, const Vec3& b) { return squaredLength(b - a) > 1e-12; }; // a micrometre
-    return points.size() > 1 && std::isfinite(bent.from) && std::ranges::all_of(points, [](const Vec3& p) { return isFinite(p); }) &&
+    return points.size() > 1 && std::isfinite(bent.from) &&
+           std::ranges::all_of(points, [](const Vec3& p) { return isFinite(p); }) &&
            std::ranges::adjacent_find(points, std::not_fn(apart)) == points.end();
 }
 

@@ -8,14 +8,15 @@ namespace toile::pattern {
 // Where pieces start in space. All edits are pure.
 
 /// Absent = not placed: the piece cannot be sewn.
-[[nodiscard]] Result<Pattern> setPlacement(const Pattern& pattern, const PieceId& piece, const std::optional<Placement>& placement);
+[[nodiscard]] Result<Pattern> setPlacement(const Pattern& pattern, const PieceId& piece,
+                                           const std::optional<Placement>& placement);
 /// Moves a placed piece by a rigid motion of space.
 [[nodiscard]] Result<Pattern> movePlacement(const Pattern& pattern, const PieceId& piece, const Transform& motion);
 /// Absent = flat. The axis is made a unit vector; the piece stays where its origin is.
 [[nodiscard]] Result<Pattern> setCurl(const Pattern& pattern, const PieceId& piece, const std::optional<Curl>& curl);
 
-/// The placement of a mirror image about the piece's own y axis, so that it lies opposite in space: mirrored in the plane
-/// x = 0, which halves a body.
+/// The placement of a mirror image about the piece's own y axis, so that it lies opposite in space: mirrored in the
+/// plane x = 0, which halves a body.
 [[nodiscard]] Placement mirrored(const Placement& placement);
 
 /// A rigid motion: orthonormal axes, right-handed, to 1e-6.

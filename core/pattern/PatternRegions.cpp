@@ -12,10 +12,13 @@ namespace {
 
 constexpr double largest = 100; ///< coordinates beyond this are no garment's [m]
 
-bool isUsable(Vec2 p) { return std::abs(p.x) < largest && std::abs(p.y) < largest; } // false for NaN too
+bool isUsable(Vec2 p) {
+    return std::abs(p.x) < largest && std::abs(p.y) < largest;
+} // false for NaN too
 
 Result<Polygon> borderOf(Polygon polygon, bool counterClockwise, const Piece& piece) {
-    if (polygon.size() < 3) return fail(ErrorCode::invalidInput, "A region needs at least three corners.", placeOf(piece));
+    if (polygon.size() < 3)
+        return fail(ErrorCode::invalidInput, "A region needs at least three corners.", placeOf(piece));
     if (!std::ranges::all_of(polygon, isUsable))
         return fail(ErrorCode::invalidInput, "The corners of a region must have finite coordinates.", placeOf(piece));
     const double area = geometry::signedArea(polygon);
@@ -34,7 +37,8 @@ Result<void> usable(const Stroke& stroke, const Piece& piece) {
 
 Result<void> refinementIn(int refinement, const Piece& piece) {
     if (refinement >= 0 && refinement <= 16) return {};
-    return fail(ErrorCode::invalidInput, fmt::format("The refinement is {}, but must be from 0 to 16.", refinement), placeOf(piece));
+    return fail(ErrorCode::invalidInput, fmt::format("The refinement is {}, but must be from 0 to 16.", refinement),
+                placeOf(piece));
 }
 
 Region made(const Area& area, std::string name, int refinement, IdSource& ids) {
@@ -47,7 +51,9 @@ Region made(const Area& area, std::string name, int refinement, IdSource& ids) {
     return region;
 }
 
-std::vector<Area> areaOf(const Region& region) { return {{region.outline, region.holes}}; }
+std::vector<Area> areaOf(const Region& region) {
+    return {{region.outline, region.holes}};
+}
 
 Result<Pattern> changedRegion(const Pattern& pattern, const PieceId& piece, const RegionId& id,
                               const std::function<Result<void>(Piece&, Region&)>& change) {
@@ -61,8 +67,8 @@ Result<Pattern> changedRegion(const Pattern& pattern, const PieceId& piece, cons
 
 } // namespace
 
-Result<Pattern> addRegion(const Pattern& pattern, const PieceId& piece, Polygon outline, std::string name, int refinement,
-                          IdSource& ids) {
+Result<Pattern> addRegion(const Pattern& pattern, const PieceId& piece, Polygon outline, std::string name,
+                          int refinement, IdSource& ids) {
     return changedShape(pattern, piece, [&](Piece& p) -> Result<void> {
         if (auto ok = refinementIn(refinement, p); !ok) return ok;
         return borderOf(std::move(outline), true, p).map([&](Polygon border) {
@@ -108,7 +114,8 @@ Result<Pattern> setRefinement(const Pattern& pattern, const PieceId& piece, cons
     });
 }
 
-Result<Pattern> setStiffness(const Pattern& pattern, const PieceId& piece, const RegionId& region, const StiffnessFactors& stiffness) {
+Result<Pattern> setStiffness(const Pattern& pattern, const PieceId& piece, const RegionId& region,
+                             const StiffnessFactors& stiffness) {
     return changedRegion(pattern, piece, region, [&](Piece& p, Region& r) -> Result<void> {
         for (const double factor : {stiffness.stretch, stiffness.shear, stiffness.bending})
             if (!(factor > 0 && std::isfinite(factor)))
@@ -127,12 +134,14 @@ Result<Pattern> paintNewRegion(const Pattern& pattern, const PieceId& piece, con
     });
 }
 
-Result<Pattern> paintRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region, const Stroke& stroke) {
+Result<Pattern> paintRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region,
+                            const Stroke& stroke) {
     return changedRegion(pattern, piece, region, [&](Piece& p, Region& r) -> Result<void> {
         if (auto ok = usable(stroke, p); !ok) return ok;
         const auto areas = unionOf(areaOf(r), swept(stroke.points, stroke.radius));
         if (areas.size() != 1)
-            return fail(ErrorCode::invalidInput, "The stroke does not touch the region: begin a new one there.", placeOf(p));
+            return fail(ErrorCode::invalidInput, "The stroke does not touch the region: begin a new one there.",
+                        placeOf(p));
         r.outline = areas.front().outline;
         r.holes = areas.front().holes;
         return {};

@@ -16,9 +16,11 @@ namespace toile::pattern {
 [[nodiscard]] Result<Pattern> replaceRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region,
                                             Polygon outline, std::vector<Polygon> holes = {});
 [[nodiscard]] Result<Pattern> removeRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region);
-[[nodiscard]] Result<Pattern> renameRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region, std::string name);
+[[nodiscard]] Result<Pattern> renameRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region,
+                                           std::string name);
 /// m of the spacing ε_m / 2^m, 0 … 16.
-[[nodiscard]] Result<Pattern> setRefinement(const Pattern& pattern, const PieceId& piece, const RegionId& region, int refinement);
+[[nodiscard]] Result<Pattern> setRefinement(const Pattern& pattern, const PieceId& piece, const RegionId& region,
+                                            int refinement);
 [[nodiscard]] Result<Pattern> setStiffness(const Pattern& pattern, const PieceId& piece, const RegionId& region,
                                            const StiffnessFactors& stiffness);
 
@@ -32,7 +34,8 @@ struct Stroke {
 [[nodiscard]] Result<Pattern> paintNewRegion(const Pattern& pattern, const PieceId& piece, const Stroke& stroke,
                                              std::string name, int refinement, IdSource& ids);
 /// Adds a stroke to a region. Error when it does not touch the region: a region is of one part.
-[[nodiscard]] Result<Pattern> paintRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region, const Stroke& stroke);
+[[nodiscard]] Result<Pattern> paintRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region,
+                                          const Stroke& stroke);
 /// Takes a stroke away. A part that is cut off becomes a region of its own; nothing left = the region is removed.
 [[nodiscard]] Result<Pattern> eraseRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region,
                                           const Stroke& stroke, IdSource& ids);

@@ -18,7 +18,9 @@ bool shareStretch(const SeamPart& part, const EdgePick& pick) {
 }
 
 /// A mirror image's contour runs against its source's edges.
-bool isImage(const Pattern& pattern, const PieceId& piece) { return findPiece(pattern, piece)->mirror.has_value(); }
+bool isImage(const Pattern& pattern, const PieceId& piece) {
+    return findPiece(pattern, piece)->mirror.has_value();
+}
 
 /// Walked along the contours of the pieces, as they are seen.
 std::vector<SeamPart> alongContours(const Pattern& pattern, std::span<const EdgePick> picks) {
@@ -59,9 +61,11 @@ Result<void> canBeSewn(const Pattern& pattern, const EdgePick& pick) {
     if (!shape || !findEdge(*shape, pick.edge))
         return fail(ErrorCode::notFound, fmt::format("There is no edge \"{}\".", pick.edge.value), placeOf(*piece));
     if (!(pick.from >= 0 && pick.to <= 1 && pick.to - pick.from > sameFraction))
-        return fail(ErrorCode::invalidInput, "A seam runs over a stretch between the ends of an edge.", placeOf(*piece));
+        return fail(ErrorCode::invalidInput, "A seam runs over a stretch between the ends of an edge.",
+                    placeOf(*piece));
     if (const Seam* other = seamOver(pattern, pick))
-        return fail(ErrorCode::invalidInput, fmt::format("This stretch is already sewn by the seam \"{}\".", other->name), placeOf(*piece));
+        return fail(ErrorCode::invalidInput,
+                    fmt::format("This stretch is already sewn by the seam \"{}\".", other->name), placeOf(*piece));
     return {};
 }
 
@@ -89,7 +93,8 @@ Result<Pattern> changedSection(const Pattern& pattern, const SeamId& id, std::si
     return changed(pattern, id, [&](Seam& seam) -> Result<void> {
         const std::size_t count = sectionCount(pattern, seam);
         if (section >= count)
-            return fail(ErrorCode::invalidInput, fmt::format("The notches divide this seam into {} sections.", count), placeOf(seam));
+            return fail(ErrorCode::invalidInput, fmt::format("The notches divide this seam into {} sections.", count),
+                        placeOf(seam));
         seam.sections.resize(count);
         return change(seam, seam.sections[section]);
     });
@@ -97,8 +102,8 @@ Result<Pattern> changedSection(const Pattern& pattern, const SeamId& id, std::si
 
 } // namespace
 
-Result<Pattern> addSeam(const Pattern& pattern, std::span<const EdgePick> a, std::span<const EdgePick> b, std::string name,
-                        IdSource& ids) {
+Result<Pattern> addSeam(const Pattern& pattern, std::span<const EdgePick> a, std::span<const EdgePick> b,
+                        std::string name, IdSource& ids) {
     if (auto ok = allCanBeSewn(pattern, a, b); !ok) return tl::unexpected<Error>(std::move(ok).error());
     Seam seam;
     seam.id = ids.take<SeamId>();
@@ -114,7 +119,8 @@ Result<Pattern> addSeam(const Pattern& pattern, const EdgePick& a, const EdgePic
     return addSeam(pattern, std::span(&a, 1), std::span(&b, 1), {}, ids);
 }
 
-Result<Pattern> addSeam(const Pattern& pattern, std::array<std::vector<SeamPart>, 2> sides, std::string name, IdSource& ids) {
+Result<Pattern> addSeam(const Pattern& pattern, std::array<std::vector<SeamPart>, 2> sides, std::string name,
+                        IdSource& ids) {
     std::array<std::vector<EdgePick>, 2> picks;
     for (std::size_t side = 0; side < 2; ++side)
         for (const SeamPart& part : sides[side]) picks[side].push_back({part.piece, part.edge, part.from, part.to});
@@ -144,7 +150,8 @@ Result<Pattern> removeSeam(const Pattern& pattern, const SeamId& seam) {
 
 Result<Pattern> setSeamEase(const Pattern& pattern, const SeamId& seam, std::size_t section, double ease) {
     return changedSection(pattern, seam, section, [&](Seam& whole, SeamSection& s) -> Result<void> {
-        if (!std::isfinite(ease)) return fail(ErrorCode::invalidInput, "The ease must be a finite length.", placeOf(whole));
+        if (!std::isfinite(ease))
+            return fail(ErrorCode::invalidInput, "The ease must be a finite length.", placeOf(whole));
         s = {ease, std::nullopt};
         return {};
     });
@@ -212,7 +219,8 @@ bool isTwisted(const Pattern& pattern, const Seam& seam) {
 const Seam* seamOver(const Pattern& pattern, const EdgePick& stretch) {
     for (const Seam& seam : pattern.seams)
         for (const auto& side : seam.sides)
-            if (std::ranges::any_of(side, [&](const SeamPart& part) { return shareStretch(part, stretch); })) return &seam;
+            if (std::ranges::any_of(side, [&](const SeamPart& part) { return shareStretch(part, stretch); }))
+                return &seam;
     return nullptr;
 }
 

@@ -25,8 +25,8 @@ struct EdgePick {
                                       std::string name, IdSource& ids);
 [[nodiscard]] Result<Pattern> addSeam(const Pattern& pattern, const EdgePick& a, const EdgePick& b, IdSource& ids);
 /// Sews two chains as they are walked here: first meets first.
-[[nodiscard]] Result<Pattern> addSeam(const Pattern& pattern, std::array<std::vector<SeamPart>, 2> sides, std::string name,
-                                      IdSource& ids);
+[[nodiscard]] Result<Pattern> addSeam(const Pattern& pattern, std::array<std::vector<SeamPart>, 2> sides,
+                                      std::string name, IdSource& ids);
 
 /// Turns side B round: its first end now meets side A's last.
 [[nodiscard]] Result<Pattern> reverseSeam(const Pattern& pattern, const SeamId& seam);
@@ -37,7 +37,8 @@ struct EdgePick {
 /// Declares the difference of lengths that every section of the seam has now as wanted.
 [[nodiscard]] Result<Pattern> easeAway(const Pattern& pattern, const SeamId& seam);
 /// Wanted length A / length B of one section.
-[[nodiscard]] Result<Pattern> setGatherRatio(const Pattern& pattern, const SeamId& seam, std::size_t section, double ratio);
+[[nodiscard]] Result<Pattern> setGatherRatio(const Pattern& pattern, const SeamId& seam, std::size_t section,
+                                             double ratio);
 /// Rest angle [rad]; 0 = flat.
 [[nodiscard]] Result<Pattern> setFoldAngle(const Pattern& pattern, const SeamId& seam, double angle);
 [[nodiscard]] Result<Pattern> setSeamStiffness(const Pattern& pattern, const SeamId& seam, double factor);

@@ -20,8 +20,7 @@ double focalLength(const Camera& camera, Viewport viewport) {
 Vec3 inEye(const Camera& camera, const Vec3& point) {
     const CameraAxes axes = axesOf(camera);
     const Vec3 fromTarget = point - camera.target;
-    return {dot(fromTarget, axes.right), dot(fromTarget, axes.up),
-            camera.distance - dot(fromTarget, axes.back)};
+    return {dot(fromTarget, axes.right), dot(fromTarget, axes.up), camera.distance - dot(fromTarget, axes.back)};
 }
 
 } // namespace
@@ -41,15 +40,14 @@ std::optional<ScreenPoint> worldToScreen(const Camera& camera, Viewport viewport
     const Vec3 seen = inEye(camera, point);
     if (seen.z <= 0) return std::nullopt;
     const double scale = focalLength(camera, viewport) / seen.z;
-    return ScreenPoint{{viewport.width / 2.0 + seen.x * scale, viewport.height / 2.0 - seen.y * scale},
-                       seen.z};
+    return ScreenPoint{{viewport.width / 2.0 + seen.x * scale, viewport.height / 2.0 - seen.y * scale}, seen.z};
 }
 
 Ray pickRay(const Camera& camera, Viewport viewport, Vec2 pixel) {
     const CameraAxes axes = axesOf(camera);
     const double focal = focalLength(camera, viewport);
-    const Vec3 direction = axes.right * (pixel.x - viewport.width / 2.0) +
-                           axes.up * (viewport.height / 2.0 - pixel.y) - axes.back * focal;
+    const Vec3 direction =
+        axes.right * (pixel.x - viewport.width / 2.0) + axes.up * (viewport.height / 2.0 - pixel.y) - axes.back * focal;
     return {eyeOf(camera), normalized(direction)};
 }
 
@@ -73,8 +71,8 @@ Camera orbited(const Camera& camera, Viewport viewport, Vec2 movedBy) {
 
 Camera panned(const Camera& camera, Viewport viewport, Vec2 from, Vec2 to) {
     Camera moved = camera;
-    moved.target += screenToWorld(camera, viewport, from, camera.target) -
-                    screenToWorld(camera, viewport, to, camera.target);
+    moved.target +=
+        screenToWorld(camera, viewport, from, camera.target) - screenToWorld(camera, viewport, to, camera.target);
     return moved;
 }
 
@@ -90,18 +88,10 @@ Camera lookingFrom(ViewDirection direction, Camera camera) {
     camera.pitch = direction == ViewDirection::top ? steepest : 0;
     switch (direction) {
     case ViewDirection::front:
-    case ViewDirection::top:
-        camera.yaw = 0;
-        break;
-    case ViewDirection::back:
-        camera.yaw = std::numbers::pi;
-        break;
-    case ViewDirection::left:
-        camera.yaw = std::numbers::pi / 2;
-        break;
-    case ViewDirection::right:
-        camera.yaw = -std::numbers::pi / 2;
-        break;
+    case ViewDirection::top: camera.yaw = 0; break;
+    case ViewDirection::back: camera.yaw = std::numbers::pi; break;
+    case ViewDirection::left: camera.yaw = std::numbers::pi / 2; break;
+    case ViewDirection::right: camera.yaw = -std::numbers::pi / 2; break;
     }
     return camera;
 }

@@ -44,8 +44,7 @@ struct CameraAxes {
 [[nodiscard]] Vec3 eyeOf(const Camera& camera);
 
 /// Absent for points on or behind the plane of the eye.
-[[nodiscard]] std::optional<ScreenPoint> worldToScreen(const Camera& camera, Viewport viewport,
-                                                       const Vec3& point);
+[[nodiscard]] std::optional<ScreenPoint> worldToScreen(const Camera& camera, Viewport viewport, const Vec3& point);
 /// From the eye through a pixel position.
 [[nodiscard]] Ray pickRay(const Camera& camera, Viewport viewport, Vec2 pixel);
 /// The point seen at a pixel position that lies in the plane through `through` parallel to the picture.
@@ -65,8 +64,7 @@ enum class ViewDirection { front, back, left, right, top };
 /// The same target and distance, seen from the body's front, back, left, right, or from above.
 [[nodiscard]] Camera lookingFrom(ViewDirection direction, Camera camera);
 /// The same direction; a box is centred and fills the picture but for a margin [fraction of the picture].
-[[nodiscard]] Camera fitted(const Camera& camera, Viewport viewport, const geometry::Box3& box,
-                            double margin = 0.05);
+[[nodiscard]] Camera fitted(const Camera& camera, Viewport viewport, const geometry::Box3& box, double margin = 0.05);
 
 /// Column by column, as OpenGL takes it.
 using Matrix4 = std::array<float, 16>;

@@ -19,8 +19,8 @@ void attribute(const GlFunctions& gl, GLuint location, GLint size, std::size_t a
 template <class Index>
 void fillIndices(const GlFunctions& gl, GLuint array, const std::vector<Index>& indices) {
     gl.BindVertexArray(array); // the index buffer is bound to it
-    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(Index)),
-                  indices.data(), GL_STATIC_DRAW);
+    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(Index)), indices.data(),
+                  GL_STATIC_DRAW);
     gl.BindVertexArray(0);
 }
 
@@ -56,12 +56,11 @@ void deleteMesh(const GlFunctions& gl, const GlMesh& mesh) {
 
 void uploadVertices(const GlFunctions& gl, const GlMesh& mesh, const std::vector<SurfaceVertex>& vertices) {
     gl.BindBuffer(GL_ARRAY_BUFFER, mesh.vertices);
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(SurfaceVertex)),
-                  vertices.data(), GL_STREAM_DRAW);
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(SurfaceVertex)), vertices.data(),
+                  GL_STREAM_DRAW);
 }
 
-void uploadTriangles(const GlFunctions& gl, GlMesh& mesh,
-                     const std::vector<geometry::TriangleIndices>& triangles) {
+void uploadTriangles(const GlFunctions& gl, GlMesh& mesh, const std::vector<geometry::TriangleIndices>& triangles) {
     fillIndices(gl, mesh.vertexArray, triangles);
     mesh.triangleIndices = static_cast<GLsizei>(triangles.size() * 3);
 }

@@ -25,8 +25,7 @@ struct GlMesh {
 void deleteMesh(const GlFunctions& gl, const GlMesh& mesh);
 /// Replaces all vertices; meant for every frame.
 void uploadVertices(const GlFunctions& gl, const GlMesh& mesh, const std::vector<SurfaceVertex>& vertices);
-void uploadTriangles(const GlFunctions& gl, GlMesh& mesh,
-                     const std::vector<geometry::TriangleIndices>& triangles);
+void uploadTriangles(const GlFunctions& gl, GlMesh& mesh, const std::vector<geometry::TriangleIndices>& triangles);
 void uploadLines(const GlFunctions& gl, const GlMesh& mesh, const std::vector<std::array<int, 2>>& lines);
 void drawTriangles(const GlFunctions& gl, const GlMesh& mesh);
 void drawLines(const GlFunctions& gl, const GlMesh& mesh, LineRange range);

@@ -29,8 +29,7 @@ public:
         gl_.Uniform2f(at(name), static_cast<float>(value.x), static_cast<float>(value.y));
     }
     void set(const char* name, const Vec3& value) const {
-        gl_.Uniform3f(at(name), static_cast<float>(value.x), static_cast<float>(value.y),
-                      static_cast<float>(value.z));
+        gl_.Uniform3f(at(name), static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z));
     }
     void set(const char* name, const Colour& value) const {
         gl_.Uniform4f(at(name), value.r, value.g, value.b, value.a);

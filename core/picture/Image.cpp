@@ -20,8 +20,7 @@ Image halved(const Image& image) {
         for (int x = 0; x < half.width; ++x) {
             const std::uint8_t* corner = image.rgba.data() + 2 * y * row + 8 * static_cast<std::size_t>(x);
             for (int channel = 0; channel < 4; ++channel, ++corner)
-                *out++ = static_cast<std::uint8_t>(
-                    (corner[0] + corner[4] + corner[row] + corner[row + 4] + 2) / 4);
+                *out++ = static_cast<std::uint8_t>((corner[0] + corner[4] + corner[row] + corner[row + 4] + 2) / 4);
         }
     return half;
 }
@@ -37,8 +36,7 @@ Result<std::string> pngBytes(const Image& image) {
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
     std::string bytes(size, '\0');
     if (!png_image_write_to_memory(&header, bytes.data(), &size, 0, image.rgba.data(), 0, nullptr))
-        return fail(ErrorCode::io,
-                    std::string("The picture could not be packed as PNG: ") + header.message + '.');
+        return fail(ErrorCode::io, std::string("The picture could not be packed as PNG: ") + header.message + '.');
     bytes.resize(size);
     return bytes;
 }

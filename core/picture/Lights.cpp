@@ -12,8 +12,7 @@ Vec3 fromAngles(double yaw, double pitch) {
 } // namespace
 
 Lights lightsOf(const Camera& camera) {
-    return {fromAngles(camera.yaw - 0.95, 0.80), fromAngles(camera.yaw + 1.1, 0.15),
-            fromAngles(camera.yaw + 2.6, 0.6)};
+    return {fromAngles(camera.yaw - 0.95, 0.80), fromAngles(camera.yaw + 1.1, 0.15), fromAngles(camera.yaw + 2.6, 0.6)};
 }
 
 Matrix4 shadowMatrix(const Vec3& towardsLight, const Vec3& centre, double radius) {

@@ -127,28 +127,21 @@ Result<OffscreenGl> OffscreenGl::create() {
     auto state = std::make_unique<State>();
     state->display = surfacelessDisplay();
     if (state->display == EGL_NO_DISPLAY) return eglFailure("there is no graphics driver");
-    if (!eglInitialize(state->display, nullptr, nullptr))
-        return eglFailure("the graphics driver does not start");
+    if (!eglInitialize(state->display, nullptr, nullptr)) return eglFailure("the graphics driver does not start");
     if (!eglBindAPI(EGL_OPENGL_API)) return eglFailure("the driver has no OpenGL");
-    constexpr std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                                           EGL_NONE};
+    constexpr std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglChooseConfig(state->display, wanted.data(), &config, 1, &count) || count == 0)
         return eglFailure("the driver offers no configuration for OpenGL");
-    constexpr std::array<EGLint, 7> version{EGL_CONTEXT_MAJOR_VERSION,
-                                            3,
-                                            EGL_CONTEXT_MINOR_VERSION,
-                                            3,
-                                            EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                            EGL_NONE};
+    constexpr std::array<EGLint, 7> version{
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     state->context = eglCreateContext(state->display, config, EGL_NO_CONTEXT, version.data());
     if (state->context == EGL_NO_CONTEXT) return eglFailure("the driver has no OpenGL 3.3 core profile");
     const Current current(state->display, state->context);
     if (!current.good()) return eglFailure("the driver cannot draw without a surface");
-    const auto gl =
-        loadGlFunctions([](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); });
+    const auto gl = loadGlFunctions([](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); });
     if (!gl) return tl::unexpected(gl.error());
     state->gl = *gl;
     auto renderer = Renderer::create(*gl);
@@ -157,13 +150,11 @@ Result<OffscreenGl> OffscreenGl::create() {
     return OffscreenGl(std::move(state));
 }
 
-Result<Image> OffscreenGl::render(const RenderScene& scene, const Camera& camera, Viewport viewport,
-                                  double lineScale) {
-    if (viewport.width < 1 || viewport.height < 1 || viewport.width > largestSide ||
-        viewport.height > largestSide)
-        return fail(ErrorCode::tooLarge, "A picture has 1 to " + std::to_string(largestSide) +
-                                             " pixels a side, not " + std::to_string(viewport.width) + " × " +
-                                             std::to_string(viewport.height) + '.');
+Result<Image> OffscreenGl::render(const RenderScene& scene, const Camera& camera, Viewport viewport, double lineScale) {
+    if (viewport.width < 1 || viewport.height < 1 || viewport.width > largestSide || viewport.height > largestSide)
+        return fail(ErrorCode::tooLarge, "A picture has 1 to " + std::to_string(largestSide) + " pixels a side, not " +
+                                             std::to_string(viewport.width) + " × " + std::to_string(viewport.height) +
+                                             '.');
     State& s = *state_;
     if (!eglBindAPI(EGL_OPENGL_API)) return eglFailure("the driver has no OpenGL"); // it is bound per thread
     const Current current(s.display, s.context);
@@ -180,8 +171,7 @@ Result<Image> OffscreenGl::render(const RenderScene& scene, const Camera& camera
     s.renderer->draw(scene, camera, viewport, lineScale);
     Image image = readPixels(s.gl, viewport);
     if (s.gl.GetError() != GL_NO_ERROR)
-        return fail(ErrorCode::tooLarge,
-                    "The graphics driver could not draw the picture; its memory may be full.");
+        return fail(ErrorCode::tooLarge, "The graphics driver could not draw the picture; its memory may be full.");
     return image;
 }
 

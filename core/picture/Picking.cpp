@@ -25,8 +25,7 @@ std::optional<TriangleHit> nearestHit(const Ray& ray, const std::vector<Vec3>& v
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto [a, b, c] = triangles[i];
         if (const auto hit = intersection(ray, vertices[a], vertices[b], vertices[c]))
-            if (!nearest || hit->distance < nearest->distance)
-                nearest = TriangleHit{*hit, static_cast<int>(i)};
+            if (!nearest || hit->distance < nearest->distance) nearest = TriangleHit{*hit, static_cast<int>(i)};
     }
     return nearest;
 }

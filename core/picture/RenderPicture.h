@@ -9,12 +9,10 @@ namespace toile::picture {
 
 /// A still picture with smooth edges: drawn at twice the size and averaged. Needs no window, no display and
 /// no Qt.
-[[nodiscard]] Result<Image> renderPicture(const RenderScene& scene, const Camera& camera, int width,
-                                          int height);
+[[nodiscard]] Result<Image> renderPicture(const RenderScene& scene, const Camera& camera, int width, int height);
 
 /// The scene from a direction, filling the picture.
-[[nodiscard]] Result<Image> renderPicture(const RenderScene& scene, ViewDirection direction, int width,
-                                          int height);
+[[nodiscard]] Result<Image> renderPicture(const RenderScene& scene, ViewDirection direction, int width, int height);
 
 /// A mesh alone, seen from a little to the side and above, its edges drawn if wanted, as a PNG file.
 [[nodiscard]] Result<void> renderMesh(const geometry::TriangleMesh& mesh, const std::filesystem::path& png,

@@ -38,10 +38,9 @@ struct Stroke {
 struct RenderScene {
     std::optional<Shared<body::Body>> body;
     std::optional<Shared<simulation::Frame>> frame;
-    std::map<std::string, Colour>
-        pieceColours;                ///< of the right side, by id of the piece; absent = defaultFabricColour
-    std::vector<Colour> seamColours; ///< by index of the seam; where it ends, seamColour
-    std::string selectedPiece;       ///< id; empty = none
+    std::map<std::string, Colour> pieceColours; ///< of the right side, by id of the piece; absent = defaultFabricColour
+    std::vector<Colour> seamColours;            ///< by index of the seam; where it ends, seamColour
+    std::string selectedPiece;                  ///< id; empty = none
     RenderOptions options;
     std::vector<Stroke> overlay;
 };

@@ -26,9 +26,8 @@ bool same(const std::optional<Shared<T>>& a, const std::optional<Shared<T>>& b) 
 }
 
 bool isSoftwareDevice(std::string_view device) {
-    return std::ranges::any_of(std::array{"llvmpipe", "softpipe", "SWR"}, [&](std::string_view name) {
-        return device.find(name) != std::string_view::npos;
-    });
+    return std::ranges::any_of(std::array{"llvmpipe", "softpipe", "SWR"},
+                               [&](std::string_view name) { return device.find(name) != std::string_view::npos; });
 }
 
 ShadowMap createShadowMap(const GlFunctions& gl, int size) {
@@ -36,8 +35,7 @@ ShadowMap createShadowMap(const GlFunctions& gl, int size) {
     gl.GenTextures(1, &map.texture);
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindTexture(GL_TEXTURE_2D, map.texture);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
-                  nullptr);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
     for (const auto& [name, value] : {std::pair{GL_TEXTURE_MIN_FILTER, GL_LINEAR},
                                       {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
                                       {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
@@ -68,8 +66,8 @@ Result<Renderer> Renderer::create(const GlFunctions& gl) {
     gl.GetIntegerv(GL_MAJOR_VERSION, &major);
     gl.GetIntegerv(GL_MINOR_VERSION, &minor);
     if (std::pair(major, minor) < std::pair(3, 3))
-        return fail(ErrorCode::unsupported, "The graphics driver offers OpenGL " + std::to_string(major) +
-                                                '.' + std::to_string(minor) + "; 3.3 is needed.");
+        return fail(ErrorCode::unsupported, "The graphics driver offers OpenGL " + std::to_string(major) + '.' +
+                                                std::to_string(minor) + "; 3.3 is needed.");
     auto state = std::make_unique<State>();
     state->gl = gl;
     for (const auto& [program, sources] : {std::pair{&state->programs.background, &shaders::background},
@@ -82,8 +80,7 @@ Result<Renderer> Renderer::create(const GlFunctions& gl) {
         *program = *linked;
     }
     if (const GLubyte* name = gl.GetString(GL_RENDERER)) state->device = reinterpret_cast<const char*>(name);
-    state->shadowMap =
-        createShadowMap(gl, isSoftwareDevice(state->device) ? softwareShadowMapSize : shadowMapSize);
+    state->shadowMap = createShadowMap(gl, isSoftwareDevice(state->device) ? softwareShadowMapSize : shadowMapSize);
     gl.GenVertexArrays(1, &state->emptyArray);
     state->body = createMesh(gl);
     state->cloth = createMesh(gl);
@@ -96,8 +93,7 @@ Result<Renderer> Renderer::create(const GlFunctions& gl) {
 void Renderer::release() {
     const GlFunctions& gl = state_->gl;
     const Programs& p = state_->programs;
-    for (const GLuint program : {p.background, p.shadow, p.surface, p.floor, p.line})
-        gl.DeleteProgram(program);
+    for (const GLuint program : {p.background, p.shadow, p.surface, p.floor, p.line}) gl.DeleteProgram(program);
     for (const GlMesh* mesh : {&state_->body, &state_->cloth, &state_->strokes}) deleteMesh(gl, *mesh);
     gl.DeleteVertexArrays(1, &state_->emptyArray);
     gl.DeleteFramebuffers(1, &state_->shadowMap.framebuffer);
@@ -165,8 +161,7 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, Viewport vie
 void Renderer::State::send(const RenderScene& scene) {
     if (!same(sentBody, scene.body)) {
         if (scene.body) {
-            uploadVertices(gl, body,
-                           surfaceVertices((*scene.body)->mesh.vertices, (*scene.body)->mesh.triangles));
+            uploadVertices(gl, body, surfaceVertices((*scene.body)->mesh.vertices, (*scene.body)->mesh.triangles));
             uploadTriangles(gl, body, (*scene.body)->mesh.triangles);
         }
         sentBody = scene.body;
@@ -177,9 +172,8 @@ void Renderer::State::send(const RenderScene& scene) {
     }
     const simulation::Frame& frame = **scene.frame;
     const simulation::FrameTopology& topology = *frame.topology;
-    expects(topology.pieces.empty() ||
-                topology.pieces.back().firstVertex + topology.pieces.back().vertexCount <=
-                    static_cast<int>(frame.positions.size()),
+    expects(topology.pieces.empty() || topology.pieces.back().firstVertex + topology.pieces.back().vertexCount <=
+                                           static_cast<int>(frame.positions.size()),
             "a frame has a position for every vertex of its topology");
     if (!sentTopology || !sentTopology->sameAs(frame.topology)) {
         sendTopology(topology);
@@ -210,15 +204,13 @@ void Renderer::State::sendTopology(const simulation::FrameTopology& topology) {
     }
     borders.clear();
     const auto pieceEdges = pieceBorders(topology);
-    for (std::size_t i = 0; i < pieceEdges.size(); ++i)
-        borders[topology.pieces[i].id] = append(pieceEdges[i]);
+    for (std::size_t i = 0; i < pieceEdges.size(); ++i) borders[topology.pieces[i].id] = append(pieceEdges[i]);
     uploadLines(gl, cloth, lines);
 }
 
 void Renderer::State::sendColours(std::vector<std::array<std::uint8_t, 4>> colours) {
     gl.BindBuffer(GL_TEXTURE_BUFFER, colourBuffer);
-    gl.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(colours.size() * 4), colours.data(),
-                  GL_STATIC_DRAW);
+    gl.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(colours.size() * 4), colours.data(), GL_STATIC_DRAW);
     sentColours = std::move(colours);
 }
 

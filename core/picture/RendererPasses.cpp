@@ -96,8 +96,7 @@ Uniforms Renderer::State::lineUniforms(const View& view) const {
     Uniforms uniforms(gl, programs.line);
     uniforms.set("view", view.view);
     uniforms.set("projection", view.projection);
-    uniforms.set("size",
-                 Vec2{static_cast<double>(view.viewport.width), static_cast<double>(view.viewport.height)});
+    uniforms.set("size", Vec2{static_cast<double>(view.viewport.width), static_cast<double>(view.viewport.height)});
     return uniforms;
 }
 
@@ -107,8 +106,7 @@ void Renderer::State::drawClothLines(const RenderScene& scene, const View& view)
         uniforms.set("towardsEye", 0.0008);
         uniforms.set("width", 1.0 * view.lineScale);
         uniforms.set("lineColour",
-                     faded(meshLineColour,
-                           meanLineLength / pixelSize(view.camera, view.viewport, view.camera.target)));
+                     faded(meshLineColour, meanLineLength / pixelSize(view.camera, view.viewport, view.camera.target)));
         drawLines(gl, cloth, meshLines);
     }
     uniforms.set("towardsEye", 0.0016);

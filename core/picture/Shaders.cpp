@@ -8,26 +8,26 @@ namespace toile::picture::shaders {
 // Light is reckoned in linear values; `shown` brings them to the screen. Squares and roots stand for the
 // screen's exponent of 2.2: they are much cheaper where the processor draws, and nobody sees the difference.
 // Half a step of noise (Jimenez 2014) hides the bands that eight bits would show in soft gradients.
-#define TOILE_GLSL_COMMON                                                                                    \
-    "#version 330 core\n"                                                                                    \
-    "vec3 linearOf(vec3 c) { return c * c; }\n"                                                              \
-    "float noise() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); " \
-    "}\n"                                                                                                    \
+#define TOILE_GLSL_COMMON                                                                                              \
+    "#version 330 core\n"                                                                                              \
+    "vec3 linearOf(vec3 c) { return c * c; }\n"                                                                        \
+    "float noise() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); "           \
+    "}\n"                                                                                                              \
     "vec3 shown(vec3 c) { return sqrt(max(c, 0.0)) + (noise() - 0.5) / 255.0; }\n"
 
 // 1 = in the light. Five filtered comparisons, `blur` texels apart, soften the edge.
-#define TOILE_GLSL_SHADOW                                                                                    \
-    "uniform sampler2DShadow shadowMap; uniform mat4 shadowMatrix; uniform bool shadows;\n"                  \
-    "uniform float shadowTexel;\n"                                                                           \
-    "float lightAt(vec3 point, float blur) {\n"                                                              \
-    "    if (!shadows) return 1.0;\n"                                                                        \
-    "    vec3 p = (shadowMatrix * vec4(point, 1.0)).xyz * 0.5 + 0.5;\n"                                      \
-    "    if (any(lessThan(p, vec3(0.0))) || any(greaterThan(p, vec3(1.0)))) return 1.0;\n"                   \
-    "    float r = blur * shadowTexel;\n"                                                                    \
-    "    return 0.2 * (texture(shadowMap, p) + texture(shadowMap, p + vec3(r, 0.4 * r, 0.0)) +\n"            \
-    "                  texture(shadowMap, p + vec3(-r, -0.4 * r, 0.0)) +\n"                                  \
-    "                  texture(shadowMap, p + vec3(-0.4 * r, r, 0.0)) +\n"                                   \
-    "                  texture(shadowMap, p + vec3(0.4 * r, -r, 0.0)));\n"                                   \
+#define TOILE_GLSL_SHADOW                                                                                              \
+    "uniform sampler2DShadow shadowMap; uniform mat4 shadowMatrix; uniform bool shadows;\n"                            \
+    "uniform float shadowTexel;\n"                                                                                     \
+    "float lightAt(vec3 point, float blur) {\n"                                                                        \
+    "    if (!shadows) return 1.0;\n"                                                                                  \
+    "    vec3 p = (shadowMatrix * vec4(point, 1.0)).xyz * 0.5 + 0.5;\n"                                                \
+    "    if (any(lessThan(p, vec3(0.0))) || any(greaterThan(p, vec3(1.0)))) return 1.0;\n"                             \
+    "    float r = blur * shadowTexel;\n"                                                                              \
+    "    return 0.2 * (texture(shadowMap, p) + texture(shadowMap, p + vec3(r, 0.4 * r, 0.0)) +\n"                      \
+    "                  texture(shadowMap, p + vec3(-r, -0.4 * r, 0.0)) +\n"                                            \
+    "                  texture(shadowMap, p + vec3(-0.4 * r, r, 0.0)) +\n"                                             \
+    "                  texture(shadowMap, p + vec3(0.4 * r, -r, 0.0)));\n"                                             \
     "}\n"
 
 const ShaderSources background{

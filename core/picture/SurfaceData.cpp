@@ -86,10 +86,8 @@ std::vector<std::array<std::uint8_t, 4>> triangleColours(const RenderScene& scen
                 scene.options.regions && i < topology.triangleRegion.size() ? topology.triangleRegion[i] : -1;
             const Colour c =
                 region < 0 ? fabric
-                           : mixed(fabric, regionTints[static_cast<std::size_t>(region) % regionTints.size()],
-                                   0.55f);
-            colours[i] = {asByte(c.r), asByte(c.g), asByte(c.b),
-                          static_cast<std::uint8_t>(selected ? 0 : 255)};
+                           : mixed(fabric, regionTints[static_cast<std::size_t>(region) % regionTints.size()], 0.55f);
+            colours[i] = {asByte(c.r), asByte(c.g), asByte(c.b), static_cast<std::uint8_t>(selected ? 0 : 255)};
         }
     }
     return colours;
@@ -98,8 +96,7 @@ std::vector<std::array<std::uint8_t, 4>> triangleColours(const RenderScene& scen
 std::vector<SeamLines> seamLines(const simulation::FrameTopology& topology) {
     std::set<std::array<int, 2>> edges;
     if (!topology.seams.empty())
-        for (const auto& [a, b, c] : topology.triangles)
-            edges.insert({ordered(a, b), ordered(b, c), ordered(c, a)});
+        for (const auto& [a, b, c] : topology.triangles) edges.insert({ordered(a, b), ordered(b, c), ordered(c, a)});
     std::vector<SeamLines> lines;
     for (const auto& pairs : topology.seams) {
         SeamLines seam;
@@ -121,8 +118,7 @@ std::vector<std::vector<std::array<int, 2>>> pieceBorders(const simulation::Fram
         std::set<std::array<int, 2>> seenOnce;
         const auto first = topology.triangles.begin() + piece.firstTriangle;
         for (auto t = first; t != first + piece.triangleCount; ++t)
-            for (const auto& edge :
-                 {ordered((*t)[0], (*t)[1]), ordered((*t)[1], (*t)[2]), ordered((*t)[2], (*t)[0])})
+            for (const auto& edge : {ordered((*t)[0], (*t)[1]), ordered((*t)[1], (*t)[2]), ordered((*t)[2], (*t)[0])})
                 if (!seenOnce.insert(edge).second) seenOnce.erase(edge);
         borders.emplace_back(seenOnce.begin(), seenOnce.end());
     }

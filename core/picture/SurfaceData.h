@@ -21,13 +21,13 @@ inline constexpr double cavityLength = 0.02;
 
 /// Smooth normals and cavities of a surface. Positions that are not finite become the origin, so that a
 /// broken simulation can still be looked at.
-[[nodiscard]] std::vector<SurfaceVertex>
-surfaceVertices(const std::vector<Vec3>& positions, const std::vector<geometry::TriangleIndices>& triangles);
+[[nodiscard]] std::vector<SurfaceVertex> surfaceVertices(const std::vector<Vec3>& positions,
+                                                         const std::vector<geometry::TriangleIndices>& triangles);
 
 /// Red, green, blue of each triangle of the cloth's right side; the fourth byte is 0 where the piece is
 /// selected, otherwise 255.
-[[nodiscard]] std::vector<std::array<std::uint8_t, 4>>
-triangleColours(const RenderScene& scene, const simulation::FrameTopology& topology);
+[[nodiscard]] std::vector<std::array<std::uint8_t, 4>> triangleColours(const RenderScene& scene,
+                                                                       const simulation::FrameTopology& topology);
 
 /// Lines of one seam: along both sides where neighbours in the seam are joined by an edge of the mesh, and
 /// from side to side. Pairs of vertex indices.
@@ -37,7 +37,6 @@ struct SeamLines {
 [[nodiscard]] std::vector<SeamLines> seamLines(const simulation::FrameTopology& topology);
 
 /// The edges round each piece, its holes included, by index of the piece. Pairs of vertex indices.
-[[nodiscard]] std::vector<std::vector<std::array<int, 2>>>
-pieceBorders(const simulation::FrameTopology& topology);
+[[nodiscard]] std::vector<std::vector<std::array<int, 2>>> pieceBorders(const simulation::FrameTopology& topology);
 
 } // namespace toile::picture

@@ -16,8 +16,7 @@ using body::Limb;
 
 /// As placementCarriedOver; where the limb's section cannot be measured, as where it bends, without a change
 /// of size.
-std::optional<Transform> carried(const Transform& placement, const body::Body& from, const body::Body& to,
-                                 Limb limb) {
+std::optional<Transform> carried(const Transform& placement, const body::Body& from, const body::Body& to, Limb limb) {
     if (const auto whole = body::placementCarriedOver(placement, from, to, limb)) return whole;
     const auto start = body::limbFrame(from, limb), end = body::limbFrame(to, limb);
     if (!start || !end) return std::nullopt;

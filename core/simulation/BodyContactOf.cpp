@@ -26,9 +26,7 @@ double longestSide(const meshing::PieceMesh& mesh, std::span<const int> corners)
 /// Cells that lie near a bump: the cloth may still slip by so much before the plan is made anew.
 class NearBumps {
 public:
-    explicit NearBumps(const std::vector<Vec3>& bumps) : bumps_(bumps) {
-        std::ranges::sort(bumps_, {}, &Vec3::y);
-    }
+    explicit NearBumps(const std::vector<Vec3>& bumps) : bumps_(bumps) { std::ranges::sort(bumps_, {}, &Vec3::y); }
     [[nodiscard]] bool operator()(const Vec3& p) const {
         constexpr double reach = 0.03; // [m]
         const auto first = std::ranges::lower_bound(bumps_, p.y - reach, {}, &Vec3::y);
@@ -67,8 +65,9 @@ void appendNet(std::vector<dynamics::ContactSample>& samples, std::span<const in
     for (int i = 0; i <= parts; ++i)
         for (int k = 0; k <= (rectangle ? parts : parts - i); ++k) {
             const double u = static_cast<double>(i) / parts, v = static_cast<double>(k) / parts;
-            const std::array<double, 4> weights = rectangle ? std::array{(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v}
-                                                            : std::array{1 - u - v, u, v, 0.0};
+            const std::array<double, 4> weights = rectangle
+                                                      ? std::array{(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v}
+                                                      : std::array{1 - u - v, u, v, 0.0};
             if (std::ranges::max(weights) > 1 - 1e-9) continue;
             dynamics::ContactSample sample = blendOf(samples, corners, std::span(weights).first(corners.size()));
             samples.push_back(std::move(sample)); // only now may the corners move
@@ -100,13 +99,13 @@ void appendInner(std::vector<dynamics::ContactSample>& samples, const Garment& g
 
 } // namespace
 
-std::unique_ptr<dynamics::Stage> bodyContactOf(const Scene& scene, const Garment& garment, const collision::BodySurface& body,
-                                               std::span<const Vec3> positions) {
-    std::vector<dynamics::ContactSample> samples = dynamics::particleSamples(
-        garment.model, garment.halfThickness, garment.friction, scene.settings.bodyFriction);
+std::unique_ptr<dynamics::Stage> bodyContactOf(const Scene& scene, const Garment& garment,
+                                               const collision::BodySurface& body, std::span<const Vec3> positions) {
+    std::vector<dynamics::ContactSample> samples =
+        dynamics::particleSamples(garment.model, garment.halfThickness, garment.friction, scene.settings.bodyFriction);
     appendInner(samples, garment, NearBumps(body.bumps()), positions);
-    return std::make_unique<dynamics::BodyContact>(body, std::move(samples),
-                                                   dynamics::BodyContactSettings{.skinOffset = scene.settings.skinOffset});
+    return std::make_unique<dynamics::BodyContact>(
+        body, std::move(samples), dynamics::BodyContactSettings{.skinOffset = scene.settings.skinOffset});
 }
 
 } // namespace toile::simulation

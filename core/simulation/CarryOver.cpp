@@ -39,8 +39,10 @@ DrapedPiece::DrapedPiece(const meshing::PieceMesh& mesh, std::span<const Vec3> p
         const auto& [a, b, c] = mesh.display[t];
         const std::array<Vec2, 3> corners{mesh.nodes[a], mesh.nodes[b], mesh.nodes[c]};
         const geometry::Box2 bounds = geometry::boundsOf(corners);
-        for (int row = static_cast<int>((bounds.low.y - low_.y) / cell_); row <= static_cast<int>((bounds.high.y - low_.y) / cell_); ++row)
-            for (int column = static_cast<int>((bounds.low.x - low_.x) / cell_); column <= static_cast<int>((bounds.high.x - low_.x) / cell_); ++column)
+        for (int row = static_cast<int>((bounds.low.y - low_.y) / cell_);
+             row <= static_cast<int>((bounds.high.y - low_.y) / cell_); ++row)
+            for (int column = static_cast<int>((bounds.low.x - low_.x) / cell_);
+                 column <= static_cast<int>((bounds.high.x - low_.x) / cell_); ++column)
                 trianglesIn_[static_cast<std::size_t>(row) * columns_ + column].push_back(static_cast<int>(t));
     }
 }

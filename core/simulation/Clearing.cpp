@@ -5,8 +5,7 @@
 
 namespace toile::simulation {
 
-bool isClear(const std::vector<Vec2>& points, const pattern::Placement& placement,
-             const collision::BodySurface& body) {
+bool isClear(const std::vector<Vec2>& points, const pattern::Placement& placement, const collision::BodySurface& body) {
     constexpr double clearance = 0.006; // twice the skin offset [m]
     constexpr double depth = 0.2;       // no piece starts deeper in a body [m]
     return std::ranges::none_of(points, [&](Vec2 point) {
@@ -28,9 +27,8 @@ pattern::Placement movedClear(const std::vector<Vec2>& points, const pattern::Pl
     return placement;
 }
 
-std::optional<pattern::Placement> clearRound(const geometry::Polyline& limb, double end,
-                                             const TubePlace& asked, const std::vector<Vec2>& points,
-                                             const collision::BodySurface& body) {
+std::optional<pattern::Placement> clearRound(const geometry::Polyline& limb, double end, const TubePlace& asked,
+                                             const std::vector<Vec2>& points, const collision::BodySurface& body) {
     constexpr double slide = 0.01, farthest = 0.25, widening = 0.005, widest = 0.03; // [m]
     const Extent along = extentAlong(points, asked.axis);
     const double first = asked.at + (asked.towardsEnd ? along.high : -along.low) > end ? -slide : slide;

@@ -14,8 +14,7 @@ namespace toile::simulation {
 
 /// The placement moved outward, a tube widened about its middle, until it is clear of the body; as it was if
 /// 15 cm do not help.
-[[nodiscard]] pattern::Placement movedClear(const std::vector<Vec2>& points,
-                                            const pattern::Placement& placement,
+[[nodiscard]] pattern::Placement movedClear(const std::vector<Vec2>& points, const pattern::Placement& placement,
                                             const collision::BodySurface& body);
 
 /// The piece rolled round a limb where it is asked for; where it is not clear of the body there, down the
@@ -23,8 +22,7 @@ namespace toile::simulation {
 /// beyond `end` [m], the wrist or the ankle, is moved up first: what closes round a wrist seldom closes round
 /// a hand. None if nothing helps.
 [[nodiscard]] std::optional<pattern::Placement> clearRound(const geometry::Polyline& limb, double end,
-                                                           const TubePlace& asked,
-                                                           const std::vector<Vec2>& points,
+                                                           const TubePlace& asked, const std::vector<Vec2>& points,
                                                            const collision::BodySurface& body);
 
 } // namespace toile::simulation

@@ -20,11 +20,11 @@ struct FrameTopology {
         int firstTriangle = 0, triangleCount = 0;
     };
     std::vector<PieceRange> pieces;
-    std::vector<std::array<int, 3>> triangles;      ///< the right side is counter-clockwise
-    std::vector<int> triangleRegion;                ///< −1 = main region
-    std::vector<Vec2> material;                     ///< u weft, v warp of each vertex [m]
+    std::vector<std::array<int, 3>> triangles;          ///< the right side is counter-clockwise
+    std::vector<int> triangleRegion;                    ///< −1 = main region
+    std::vector<Vec2> material;                         ///< u weft, v warp of each vertex [m]
     std::vector<std::vector<std::array<int, 2>>> seams; ///< pairs of vertices, by seam of the pattern
-    std::vector<std::array<int, 2>> meshLines;      ///< edges of the scan-line mesh, for wireframes
+    std::vector<std::array<int, 2>> meshLines;          ///< edges of the scan-line mesh, for wireframes
 };
 
 /// A picture of the running simulation: a value for other threads.
@@ -35,10 +35,10 @@ struct Frame {
     double time = 0;             ///< simulated [s]
     double framesPerSecond = 0;  ///< simulated frames computed a second
     int particles = 0;
-    double largestSeamGap = 0;   ///< over seams not merged yet [m]
-    double largestSpeed = 0;     ///< [m/s]
+    double largestSeamGap = 0; ///< over seams not merged yet [m]
+    double largestSpeed = 0;   ///< [m/s]
     bool atRest = false;
-    std::string message;         ///< what the user should know, e.g. why it stopped
+    std::string message; ///< what the user should know, e.g. why it stopped
 };
 
 } // namespace toile::simulation

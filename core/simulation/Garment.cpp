@@ -37,7 +37,8 @@ Result<int> nodeAt(const Piece& piece, const meshing::PieceMesh& mesh, const pat
         for (std::size_t vertex = 0; vertex < contour.vertices.size(); ++vertex)
             if (contour.vertices[vertex].id == pin.vertex) return mesh.loops[loop][vertex].front().node;
     }
-    return fail(ErrorCode::invalidInput, fmt::format("Piece \"{}\" has no vertex \"{}\".", piece.name, pin.vertex.value),
+    return fail(ErrorCode::invalidInput,
+                fmt::format("Piece \"{}\" has no vertex \"{}\".", piece.name, pin.vertex.value),
                 {.object = fmt::format("pin \"{}\"", pin.id.value)});
 }
 

@@ -4,8 +4,8 @@
 #include "core/base/Result.h"
 #include "core/base/Shared.h"
 #include "core/cloth/ClothModel.h"
-#include "core/simulation/ParticleMap.h"
 #include "core/pattern/Pattern.h"
+#include "core/simulation/ParticleMap.h"
 
 #include <vector>
 

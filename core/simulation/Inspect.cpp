@@ -40,7 +40,8 @@ std::vector<cloth::Strain> strainsOf(const Simulation& simulation, const Wanted&
     const Garment& garment = simulation.garment();
     for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece)
         if (wanted(*simulation.scene().pattern.pieces[piece]))
-            for (const cloth::Strain& strain : cloth::strains(strainPatch(garment, piece), simulation.state().positions))
+            for (const cloth::Strain& strain :
+                 cloth::strains(strainPatch(garment, piece), simulation.state().positions))
                 all.push_back(strain);
     return all;
 }
@@ -65,7 +66,8 @@ StrainSummary summaryOf(const std::vector<cloth::Strain>& strains) {
     return summary;
 }
 
-std::optional<int> nodeOf(const pattern::Contour& outline, const meshing::PieceMesh& mesh, const pattern::VertexId& vertex) {
+std::optional<int> nodeOf(const pattern::Contour& outline, const meshing::PieceMesh& mesh,
+                          const pattern::VertexId& vertex) {
     for (std::size_t i = 0; i < outline.vertices.size(); ++i)
         if (outline.vertices[i].id == vertex) return mesh.loops[0][i].front().node;
     return std::nullopt;
@@ -80,14 +82,17 @@ std::vector<pattern::Vertex> landmarkVertices(const pattern::Contour& outline) {
     for (std::size_t i = 0; i < count; ++i) {
         const Vec2 in = geometry::tangentAt(pattern::curveOf(outline, (i + count - 1) % count), 1);
         const Vec2 out = geometry::tangentAt(pattern::curveOf(outline, i), 0);
-        if (std::abs(std::atan2(geometry::cross(in, out), geometry::dot(in, out))) > leastTurn) corners.push_back(outline.vertices[i]);
+        if (std::abs(std::atan2(geometry::cross(in, out), geometry::dot(in, out))) > leastTurn)
+            corners.push_back(outline.vertices[i]);
     }
     return corners;
 }
 
 } // namespace
 
-StrainSummary strainOf(const Simulation& simulation) { return summaryOf(strainsOf(simulation, [](const auto&) { return true; })); }
+StrainSummary strainOf(const Simulation& simulation) {
+    return summaryOf(strainsOf(simulation, [](const auto&) { return true; }));
+}
 
 std::optional<StrainSummary> wovenStrainOf(const Simulation& simulation) {
     const std::vector<cloth::Strain> strains = strainsOf(simulation, [&](const pattern::Piece& piece) {
@@ -127,7 +132,8 @@ Drape drapeOf(const Simulation& simulation) {
     drape.start.resize(garment.particles.particleCount);
     for (std::size_t piece = 0; piece < pattern.pieces.size(); ++piece)
         drape.piece.insert(drape.piece.end(), garment.mesh->pieces[piece].display.size(), static_cast<int>(piece));
-    for (std::size_t node = 0; node < placed.size(); ++node) drape.start[garment.particles.particleOf[node]] = placed[node];
+    for (std::size_t node = 0; node < placed.size(); ++node)
+        drape.start[garment.particles.particleOf[node]] = placed[node];
 
     for (std::size_t image = 0; image < pattern.pieces.size(); ++image) {
         if (!pattern.pieces[image]->mirror) continue;
@@ -154,9 +160,11 @@ std::string resultHash(const Simulation& simulation) {
         const meshing::PieceMesh& mesh = garment.mesh->pieces[piece];
         std::vector<int> order(mesh.nodes.size());
         std::iota(order.begin(), order.end(), 0);
-        std::ranges::stable_sort(order, {}, [&](int node) { return std::pair(mesh.material[node].y, mesh.material[node].x); });
+        std::ranges::stable_sort(order, {},
+                                 [&](int node) { return std::pair(mesh.material[node].y, mesh.material[node].x); });
         for (const int node : order) {
-            const Vec3& p = simulation.state().positions[garment.particles.particleOf[garment.particles.firstNode[piece] + node]];
+            const Vec3& p =
+                simulation.state().positions[garment.particles.particleOf[garment.particles.firstNode[piece] + node]];
             numbers.insert(numbers.end(), {p.x, p.y, p.z});
         }
     }

@@ -22,7 +22,9 @@ struct PieceIndex {
 };
 
 /// The user's name, or the id of what has none; the mesher puts "piece", "edge", … before it.
-const std::string& labelOf(const std::string& name, const std::string& id) { return name.empty() ? id : name; }
+const std::string& labelOf(const std::string& name, const std::string& id) {
+    return name.empty() ? id : name;
+}
 
 meshing::BoundaryLoop loopOf(const Piece& piece, const Contour& contour) {
     meshing::BoundaryLoop loop;
@@ -47,7 +49,8 @@ meshing::PieceInput pieceInputOf(const Piece& piece, const MeshOverrides& overri
     input.grain = piece.grain;
     input.spacing = overrides.spacing.value_or(piece.spacing);
     for (const Region& region : piece.regions)
-        input.regions.push_back({labelOf(region.name, region.id.value), region.outline, region.holes, region.refinement});
+        input.regions.push_back(
+            {labelOf(region.name, region.id.value), region.outline, region.holes, region.refinement});
     switch (overrides.rule.value_or(piece.rule)) {
     case LineRule::regular: input.rule = meshing::LineRule::regular; break;
     case LineRule::features: input.rule = meshing::LineRule::features; break;
@@ -79,7 +82,8 @@ Result<meshing::SeamPartInput> partInputOf(const SeamPart& part, const Seam& sea
     if (edge == piece->second.edges.end())
         return fail(ErrorCode::invalidInput,
                     fmt::format("Piece \"{}\" has no edge \"{}\".", part.piece.value, part.edge.value), place);
-    meshing::SeamPartInput input{piece->second.piece, edge->second.loop, edge->second.edge, part.from, part.to, part.reversed};
+    meshing::SeamPartInput input{piece->second.piece, edge->second.loop, edge->second.edge,
+                                 part.from,           part.to,           part.reversed};
     if (piece->second.isMirror) { // the reflected edge runs against its source
         input.from = 1 - part.to;
         input.to = 1 - part.from;
@@ -106,7 +110,8 @@ Result<meshing::MeshInput> meshInputOf(const Pattern& pattern, const MeshOverrid
                 if (!partInput) return tl::unexpected(partInput.error());
                 seamInput.sides[side].push_back(*partInput);
             }
-        for (const SeamSection& section : seam.sections) seamInput.sections.push_back({section.ease, section.gatherRatio});
+        for (const SeamSection& section : seam.sections)
+            seamInput.sections.push_back({section.ease, section.gatherRatio});
         input.seams.push_back(std::move(seamInput));
     }
     return input;

@@ -22,12 +22,14 @@ void leaveOutElements(StepPlan& plan, const Garment& garment) {
 
 } // namespace
 
-StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body, std::vector<SeamPair> pairs,
-                std::span<const Vec3> positions) {
+StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
+                std::vector<SeamPair> pairs, std::span<const Vec3> positions) {
     StepPlan plan;
     leaveOutElements(plan, garment);
 
-    if (!pairs.empty()) plan.add(std::make_unique<SeamClosing>(std::move(pairs), SeamClosingSettings{.duration = scene.settings.seamTime}));
+    if (!pairs.empty())
+        plan.add(
+            std::make_unique<SeamClosing>(std::move(pairs), SeamClosingSettings{.duration = scene.settings.seamTime}));
     else plan.leaveOut("seams", garment.mergedSeams.empty() ? "the pattern has no seam" : "all seams are merged");
 
     if (body) plan.add(bodyContactOf(scene, garment, *body, positions));

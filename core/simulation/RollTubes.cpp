@@ -37,15 +37,13 @@ struct SeamPoint {
 };
 
 /// Equally far apart along a chain of parts, from its first end to its last.
-std::vector<SeamPoint> pointsAlong(const Pattern& pattern, const std::vector<pattern::SeamPart>& chain,
-                                   int count) {
+std::vector<SeamPoint> pointsAlong(const Pattern& pattern, const std::vector<pattern::SeamPart>& chain, int count) {
     std::vector<SeamPoint> corners;
     std::vector<double> gone;
     for (const pattern::SeamPart& part : chain)
         for (const Vec2 p : pattern::partPoints(pattern, part, 1e-3)) {
             const bool same = !corners.empty() && corners.back().piece == part.piece;
-            gone.push_back(
-                gone.empty() ? 0 : gone.back() + (same ? geometry::distance(corners.back().at, p) : 0));
+            gone.push_back(gone.empty() ? 0 : gone.back() + (same ? geometry::distance(corners.back().at, p) : 0));
             corners.push_back({part.piece, p});
         }
     std::vector<SeamPoint> points;
@@ -57,8 +55,7 @@ std::vector<SeamPoint> pointsAlong(const Pattern& pattern, const std::vector<pat
         const double stretch = gone[i + 1] - gone[i],
                      t = stretch > 0 ? std::clamp((at - gone[i]) / stretch, 0.0, 1.0) : 0;
         const bool joint = corners[i].piece != corners[i + 1].piece;
-        points.push_back(joint ? corners[i]
-                               : SeamPoint{corners[i].piece, lerp(corners[i].at, corners[i + 1].at, t)});
+        points.push_back(joint ? corners[i] : SeamPoint{corners[i].piece, lerp(corners[i].at, corners[i + 1].at, t)});
     }
     return points;
 }
@@ -83,8 +80,7 @@ std::optional<TubeSeam> tubeSeamOf(const Pattern& pattern, const Piece& piece) {
     constexpr double apart = 0.02; // [m]
     for (const pattern::Seam& seam : pattern.seams) {
         if (!isWithin(seam, piece.id)) continue;
-        const auto a = pointsAlong(pattern, seam.sides[0], samples),
-                   b = pointsAlong(pattern, seam.sides[1], samples);
+        const auto a = pointsAlong(pattern, seam.sides[0], samples), b = pointsAlong(pattern, seam.sides[1], samples);
         if (a.empty() || b.empty()) continue;
         if (geometry::distance(a.front().at, b.front().at) < apart ||
             geometry::distance(a.back().at, b.back().at) < apart)
@@ -115,13 +111,11 @@ using Places = std::map<PieceId, pattern::Placement>;
 std::vector<Meeting> meetingsOf(const Pattern& pattern, const PieceId& piece, const Places& places) {
     std::vector<Meeting> meetings;
     for (const pattern::Seam& seam : pattern.seams) {
-        const auto a = pointsAlong(pattern, seam.sides[0], samples),
-                   b = pointsAlong(pattern, seam.sides[1], samples);
+        const auto a = pointsAlong(pattern, seam.sides[0], samples), b = pointsAlong(pattern, seam.sides[1], samples);
         if (a.empty() || b.empty()) continue;
         for (int k = 0; k < samples; ++k) {
             if ((a[k].piece == piece) == (b[k].piece == piece)) continue;
-            const SeamPoint &own = a[k].piece == piece ? a[k] : b[k],
-                            &other = a[k].piece == piece ? b[k] : a[k];
+            const SeamPoint &own = a[k].piece == piece ? a[k] : b[k], &other = a[k].piece == piece ? b[k] : a[k];
             if (const auto place = places.find(other.piece); place != places.end())
                 meetings.push_back({own.at, pattern::placed(place->second, other.at)});
         }
@@ -136,13 +130,11 @@ double sumOfSquares(const std::vector<Meeting>& meetings, const pattern::Placeme
 }
 
 /// How far down the limb the origin lies when the seams are, in the mean, a finger's breadth long along it.
-double placeAlong(const geometry::Polyline& limb, const TubePlace& place,
-                  const std::vector<Meeting>& meetings) {
+double placeAlong(const geometry::Polyline& limb, const TubePlace& place, const std::vector<Meeting>& meetings) {
     constexpr double gap = 0.01; // [m]
     double sum = 0;
     for (const Meeting& m : meetings)
-        sum +=
-            geometry::nearestArcLength(limb, m.other) - (place.towardsEnd ? 1 : -1) * dot(m.own, place.axis);
+        sum += geometry::nearestArcLength(limb, m.other) - (place.towardsEnd ? 1 : -1) * dot(m.own, place.axis);
     return sum / static_cast<double>(meetings.size()) + gap;
 }
 
@@ -167,8 +159,7 @@ TubePlace placeBySeams(const geometry::Polyline& limb, TubePlace place, const Ex
         for (int turn = 0; turn < 24; ++turn) tryAngle(turn * coarse);
     }
     place = best;
-    for (const double middle = bestAngle; const int turn : std::views::iota(-14, 15))
-        tryAngle(middle + turn * fine);
+    for (const double middle = bestAngle; const int turn : std::views::iota(-14, 15)) tryAngle(middle + turn * fine);
     return best;
 }
 
@@ -228,8 +219,7 @@ bool reachesBeyond(const Roll& roll, const pattern::Placement& placement, const 
     const double radius = placement.curl->radius;
     return std::ranges::any_of(std::array{along.low, along.high}, [&](double t) {
         const Vec3 above = pattern::placed(placement, axis * t),
-                   below =
-                       pattern::placed(placement, axis * t + acrossOf(axis) * (std::numbers::pi * radius));
+                   below = pattern::placed(placement, axis * t + acrossOf(axis) * (std::numbers::pi * radius));
         return geometry::nearestArcLength(roll.limb, lerp(above, below, 0.5)) > roll.end + wrist;
     });
 }
@@ -244,9 +234,7 @@ void closeLast(Pattern& pattern, const PieceId& piece, int last) {
 } // namespace
 
 body::Limb nearestLimb(const body::Body& body, const Vec3& point) {
-    return std::ranges::min_element(body.axes, {},
-                                    [&](const LimbAxis& axis) { return distanceTo(axis, point); })
-        ->limb;
+    return std::ranges::min_element(body.axes, {}, [&](const LimbAxis& axis) { return distanceTo(axis, point); })->limb;
 }
 
 Vec3 middleOf(const Piece& piece) {
@@ -264,8 +252,7 @@ std::vector<Roll> flatTubesOf(const Pattern& pattern, const body::Body& body) {
         const auto seam = tubeSeamOf(pattern, piece);
         const auto limb = seam ? limbBeside(pattern::resolved(pattern, piece), body) : std::nullopt;
         if (!limb) continue;
-        const TubePlace place{
-            .axis = seam->axis, .middle = seam->middle, .radius = closingRadius(seam->width)};
+        const TubePlace place{.axis = seam->axis, .middle = seam->middle, .radius = closingRadius(seam->width)};
         rolls.push_back({i, placeAsItLies(limb->line, place, *piece.placement), limb->line, limb->end});
     }
     return rolls;
@@ -290,8 +277,7 @@ std::vector<Roll> tubesOnBentLimbs(const Pattern& pattern, const body::Body& bod
 }
 
 Pattern rolledRound(const Pattern& pattern, std::vector<Roll> rolls, const collision::BodySurface& surface) {
-    std::ranges::stable_sort(rolls, {},
-                             [](const Roll& roll) { return roll.place.at; }); // a sleeve before its cuff
+    std::ranges::stable_sort(rolls, {}, [](const Roll& roll) { return roll.place.at; }); // a sleeve before its cuff
     Places places;
     for (const auto& piece : pattern.pieces)
         if (piece->placement) places.emplace(piece->id, *piece->placement);

@@ -145,13 +145,29 @@ private:
 Runner::Runner() : worker_(std::make_unique<Worker>()) {}
 Runner::~Runner() = default;
 
-void Runner::setScene(Scene scene, std::uint64_t generation) { worker_->order({std::move(scene), generation}); }
-void Runner::play() { worker_->play(); }
-void Runner::pause() { worker_->pause(); }
-void Runner::step() { worker_->requestStep(); }
-void Runner::reset() { worker_->requestReset(); }
-bool Runner::isPlaying() const { return worker_->isPlaying(); }
-bool Runner::isBusy() const { return worker_->isBusy(); }
-std::optional<Frame> Runner::takeFrame() { return worker_->takeFrame(); }
+void Runner::setScene(Scene scene, std::uint64_t generation) {
+    worker_->order({std::move(scene), generation});
+}
+void Runner::play() {
+    worker_->play();
+}
+void Runner::pause() {
+    worker_->pause();
+}
+void Runner::step() {
+    worker_->requestStep();
+}
+void Runner::reset() {
+    worker_->requestReset();
+}
+bool Runner::isPlaying() const {
+    return worker_->isPlaying();
+}
+bool Runner::isBusy() const {
+    return worker_->isBusy();
+}
+std::optional<Frame> Runner::takeFrame() {
+    return worker_->takeFrame();
+}
 
 } // namespace toile::simulation

@@ -11,13 +11,13 @@ namespace toile::simulation {
 
 /// The world the garment lives in, and how carefully it is simulated.
 struct SceneSettings {
-    Vec3 gravity{0, -9.81, 0};  ///< [m/s²]
-    double damping = 0.5;       ///< mass-proportional [1/s]
-    double skinOffset = 0.003;  ///< distance of the cloth's underside to the body [m]
-    double bodyFriction = 0.3;  ///< μ of the body; a pair has √(μ₁·μ₂) [–]
-    double seamTime = 0.6;      ///< in which seams are drawn together [s]
+    Vec3 gravity{0, -9.81, 0};   ///< [m/s²]
+    double damping = 0.5;        ///< mass-proportional [1/s]
+    double skinOffset = 0.003;   ///< distance of the cloth's underside to the body [m]
+    double bodyFriction = 0.3;   ///< μ of the body; a pair has √(μ₁·μ₂) [–]
+    double seamTime = 0.6;       ///< in which seams are drawn together [s]
     double frameStep = 1.0 / 60; ///< [s]
-    int substeps = 0;           ///< of a frame step; 0 = from the mesh (docs/physics/xpbd.md)
+    int substeps = 0;            ///< of a frame step; 0 = from the mesh (docs/physics/xpbd.md)
     bool selfContact = false;
     friend bool operator==(const SceneSettings&, const SceneSettings&) = default;
 };

@@ -8,12 +8,12 @@
 namespace toile::simulation {
 
 struct SeamClosingSettings {
-    double duration = 0.6;     ///< in which a seam's gap goes to zero [s]
-    double maximumSpeed = 5;   ///< at which a gap may close; long gaps take longer [m/s]
-    double maximumForce = 5;   ///< between the two particles of a pair, so that a blocked seam does not tear [N]
+    double duration = 0.6;       ///< in which a seam's gap goes to zero [s]
+    double maximumSpeed = 5;     ///< at which a gap may close; long gaps take longer [m/s]
+    double maximumForce = 5;     ///< between the two particles of a pair, so that a blocked seam does not tear [N]
     double staticStiffness = 10; ///< of an open pair in the finish [N/m]: a seam that a body holds open by 50 mm pulls
                                  ///< with 0.5 N a pair, which dents the contact by less than a millimetre
-    int iterations = 4;        ///< sweeps over the pairs in a substep: corners belong to several
+    int iterations = 4;          ///< sweeps over the pairs in a substep: corners belong to several
 };
 
 /// Two particles that a seam draws together.

@@ -79,15 +79,17 @@ void appendSeamHinges(cloth::ClothModel& model, const pattern::Pattern& pattern,
         const int a = particleOf(left, left.from), b = particleOf(left, left.to);
         if (particleOf(right, right.from) != b || particleOf(right, right.to) != a) continue;
         const auto& candidates = seamsOf[nodeOf(left, left.from)];
-        const auto seam = std::ranges::find_if(candidates, [&](int s) {
-            return std::ranges::count(seamsOf[nodeOf(left, left.to)], s) > 0;
-        });
+        const auto seam = std::ranges::find_if(
+            candidates, [&](int s) { return std::ranges::count(seamsOf[nodeOf(left, left.to)], s) > 0; });
         if (seam == candidates.end()) continue;
 
         const meshing::PieceMesh &leftMesh = mesh.pieces[left.piece], &rightMesh = mesh.pieces[right.piece];
-        const auto fabricOf = [&](const BorderEdge& e) { return pattern::findFabric(pattern, pattern.pieces[e.piece]->fabric); };
-        const double bending = pattern.seams[*seam].stiffnessFactor * 0.5 *
-                               (bendingAcross(leftMesh, left, *fabricOf(left)) + bendingAcross(rightMesh, right, *fabricOf(right)));
+        const auto fabricOf = [&](const BorderEdge& e) {
+            return pattern::findFabric(pattern, pattern.pieces[e.piece]->fabric);
+        };
+        const double bending =
+            pattern.seams[*seam].stiffnessFactor * 0.5 *
+            (bendingAcross(leftMesh, left, *fabricOf(left)) + bendingAcross(rightMesh, right, *fabricOf(right)));
         // A rectangle has two opposite corners: two hinges share its stiffness, each with the corner at its own end.
         const std::size_t count = std::max(left.opposite.size(), right.opposite.size());
         for (std::size_t i = 0; i < count; ++i) {

@@ -27,8 +27,7 @@ std::vector<RestTriangle> restTriangles(const Garment& garment, const ParticleMa
             RestTriangle t{};
             for (int k = 0; k < 3; ++k) {
                 t.particles[k] = particles.particleOf[particles.firstNode[piece] + corners[k]];
-                t.sides[k] =
-                    geometry::distance(mesh.nodes[corners[(k + 1) % 3]], mesh.nodes[corners[(k + 2) % 3]]);
+                t.sides[k] = geometry::distance(mesh.nodes[corners[(k + 1) % 3]], mesh.nodes[corners[(k + 2) % 3]]);
             }
             t.area = 0.5 * std::abs(geometry::cross(mesh.nodes[corners[1]] - mesh.nodes[corners[0]],
                                                     mesh.nodes[corners[2]] - mesh.nodes[corners[0]]));
@@ -44,8 +43,7 @@ std::vector<RestTriangle> restTriangles(const Garment& garment, const ParticleMa
 std::vector<double> roomOf(const std::vector<RestTriangle>& triangles, int particles) {
     std::vector<double> room(particles, std::numeric_limits<double>::infinity());
     for (const RestTriangle& t : triangles)
-        for (int k = 0; k < 3; ++k)
-            room[t.particles[k]] = std::min(room[t.particles[k]], 2 * t.area / t.sides[k]);
+        for (int k = 0; k < 3; ++k) room[t.particles[k]] = std::min(room[t.particles[k]], 2 * t.area / t.sides[k]);
     return room;
 }
 
@@ -64,8 +62,7 @@ public:
     /// Particles that are not farther than reach along edges, and how far they are [m].
     [[nodiscard]] std::map<int, double> around(int particle, double reach) const {
         std::map<int, double> nearest{{particle, 0.0}};
-        std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>>
-            queue;
+        std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue;
         queue.emplace(0, particle);
         while (!queue.empty()) {
             const auto [distance, at] = queue.top();
@@ -89,8 +86,8 @@ private:
 
 /// For each particle those within reach along the sewn cloth to which open seams are the shorter way: across
 /// a seam, and at corners where several meet, across a chain of them.
-std::vector<std::vector<int>> broughtNearBySeams(const Garment& garment,
-                                                 const std::vector<RestTriangle>& triangles, double reach) {
+std::vector<std::vector<int>> broughtNearBySeams(const Garment& garment, const std::vector<RestTriangle>& triangles,
+                                                 double reach) {
     constexpr double rounding = 1e-9; // [m]
     if (std::ranges::all_of(garment.mergedSeams, [](bool merged) { return merged; })) return {};
     const ParticleMap sewn = particleMap(*garment.mesh, std::vector<bool>(garment.mergedSeams.size(), true));
@@ -113,8 +110,7 @@ std::vector<std::vector<int>> broughtNearBySeams(const Garment& garment,
         if (std::ranges::none_of(near, [&](const auto& q) { return atSeam[q.first]; })) continue;
         for (const auto& [sewnNear, distance] : later.around(sewnOf[p], reach))
             for (const int q : particlesOf[sewnNear])
-                if (const auto known = near.find(q);
-                    known == near.end() || known->second > distance + rounding)
+                if (const auto known = near.find(q); known == near.end() || known->second > distance + rounding)
                     brought[p].push_back(q);
         std::ranges::sort(brought[p]);
     }

@@ -14,7 +14,6 @@ namespace toile::simulation {
 
 /// The stage that keeps the layers of this garment apart: thickness and friction from the fabrics. Near an
 /// open seam its two sides do not push each other.
-[[nodiscard]] std::unique_ptr<dynamics::SelfContact> selfContactOf(const Scene& scene,
-                                                                   const Garment& garment);
+[[nodiscard]] std::unique_ptr<dynamics::SelfContact> selfContactOf(const Scene& scene, const Garment& garment);
 
 } // namespace toile::simulation

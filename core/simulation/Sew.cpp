@@ -22,7 +22,9 @@ std::size_t peakBytes() {
     return getrusage(RUSAGE_SELF, &usage) == 0 ? 1024 * static_cast<std::size_t>(usage.ru_maxrss) : 0;
 }
 
-double processSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double processSeconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 std::string describe(const Simulation& simulation) {
     const auto& seams = simulation.seams();
@@ -58,8 +60,10 @@ Result<std::string> run(Simulation& simulation, const SewSettings& settings, con
     while (true) {
         const double elapsed = simulation.state().time - start;
         if (elapsed >= length - 1e-9) return settings.seconds ? "time is up" : "limit reached";
-        if (!settings.seconds && (simulation.restingTime() >= restBeforeFinish || simulation.awaitsStatics())) return "at rest";
-        if (const auto stepped = step(simulation, watch, 0.9 * elapsed / length); !stepped) return tl::unexpected(stepped.error());
+        if (!settings.seconds && (simulation.restingTime() >= restBeforeFinish || simulation.awaitsStatics()))
+            return "at rest";
+        if (const auto stepped = step(simulation, watch, 0.9 * elapsed / length); !stepped)
+            return tl::unexpected(stepped.error());
     }
 }
 
@@ -90,7 +94,9 @@ bool hangsOnItsWaistband(const Simulation& simulation) {
 
 /// Goes on after rest; what still rests then has stayed where it is.
 Result<void> hold(SewReport& result, Simulation& simulation, const SewSettings& settings, const Watch& watch) {
-    if (result.ending != "at rest" || settings.hold <= 0 || simulation.awaitsStatics() || !hangsOnItsWaistband(simulation)) return {};
+    if (result.ending != "at rest" || settings.hold <= 0 || simulation.awaitsStatics() ||
+        !hangsOnItsWaistband(simulation))
+        return {};
     const double start = simulation.state().time;
     if (const auto advanced = goOnFor(settings.hold, simulation, watch); !advanced) return advanced;
     result.heldSeconds = simulation.state().time - start;
@@ -112,8 +118,9 @@ void countElements(SewReport& result, const cloth::ClothModel& model) {
 void warnOfOpenSeams(SewReport& result) {
     for (const SeamResult& seam : result.seams)
         if (!seam.state.merged)
-            result.warnings.push_back({fmt::format("seam \"{}\"", seam.state.name),
-                                       fmt::format("The seam is not closed; its gap is {:.1f} mm.", 1000 * seam.gap.maximum)});
+            result.warnings.push_back(
+                {fmt::format("seam \"{}\"", seam.state.name),
+                 fmt::format("The seam is not closed; its gap is {:.1f} mm.", 1000 * seam.gap.maximum)});
 }
 
 /// One warning for each place, and no more than a reader can look at.
@@ -123,17 +130,18 @@ void warnOfCrossedLayers(SewReport& result, const Simulation& simulation) {
     if (!contact) return;
     const std::vector<Vec3> places = contact->crossingPlaces(simulation.state().positions);
     for (std::size_t i = 0; i < std::min(places.size(), most); ++i)
-        result.warnings.push_back({fmt::format("({:.3f}, {:.3f}, {:.3f}) m", places[i].x, places[i].y, places[i].z),
-                                   fmt::format("Layers have crossed here and could not be drawn apart ({} of {}).", i + 1,
-                                               places.size())});
+        result.warnings.push_back(
+            {fmt::format("({:.3f}, {:.3f}, {:.3f}) m", places[i].x, places[i].y, places[i].z),
+             fmt::format("Layers have crossed here and could not be drawn apart ({} of {}).", i + 1, places.size())});
 }
 
 void warnOfUnsolvedSteps(SewReport& result) {
     for (const PhaseRun& phase : result.phases)
         if (phase.unsolvedSteps > 0)
-            result.warnings.push_back({nameOf(phase.phase), fmt::format("{} frame steps by {} have parts that did not reach their tolerance "
-                                                                         "and were taken as they were.",
-                                                                         phase.unsolvedSteps, phase.method)});
+            result.warnings.push_back(
+                {nameOf(phase.phase), fmt::format("{} frame steps by {} have parts that did not reach their tolerance "
+                                                  "and were taken as they were.",
+                                                  phase.unsolvedSteps, phase.method)});
 }
 
 /// What only a look at the whole result can tell.
@@ -163,8 +171,8 @@ bool SewReport::reachedItsGoal(const SewSettings& settings) const {
     return allClosed() && contact.outsideBody && (settings.seconds || atRest);
 }
 
-Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::stop_token stop, const Progress& progress,
-                      const FrameObserver& observer) {
+Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::stop_token stop,
+                      const Progress& progress, const FrameObserver& observer) {
     const auto wallStart = std::chrono::steady_clock::now();
     const double cpuStart = processSeconds();
     SewReport result;
@@ -175,10 +183,12 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     if (const auto held = hold(result, simulation, settings, watch); !held) return tl::unexpected(held.error());
 
     if (settings.finish && !settings.seconds)
-        if (const auto finished = finish(result, simulation, settings, watch); !finished) return tl::unexpected(finished.error());
+        if (const auto finished = finish(result, simulation, settings, watch); !finished)
+            return tl::unexpected(finished.error());
     countElements(result, simulation.garment().model);
     for (std::size_t seam = 0; seam < simulation.seams().size(); ++seam)
-        result.seams.push_back({simulation.seams()[seam], simulation.seams()[seam].merged ? SeamGap{} : simulation.gapOf(seam)});
+        result.seams.push_back(
+            {simulation.seams()[seam], simulation.seams()[seam].merged ? SeamGap{} : simulation.gapOf(seam)});
     warnOfOpenSeams(result);
     warnOfCrossedLayers(result, simulation);
     result.phases = simulation.phases();
@@ -187,8 +197,8 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     result.contact = contactOf(simulation);
     judgeWorn(result, simulation, settings);
     result.strain = strainOf(simulation);
-    const dynamics::Energies energies = dynamics::energies(simulation.garment().model, simulation.state(),
-                                                           simulation.scene().settings.gravity);
+    const dynamics::Energies energies =
+        dynamics::energies(simulation.garment().model, simulation.state(), simulation.scene().settings.gravity);
     result.kineticEnergy = energies.kinetic;
     result.gravityEnergy = energies.gravity;
     result.elasticEnergy = energies.elastic;
@@ -197,7 +207,8 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     result.substeps = simulation.substeps();
     result.peakBytes = peakBytes();
     result.resultHash = resultHash(simulation);
-    for (const StepPlan::StageCost& cost : simulation.stageCosts()) result.stages.push_back({cost.name, cost.seconds, cost.bytes});
+    for (const StepPlan::StageCost& cost : simulation.stageCosts())
+        result.stages.push_back({cost.name, cost.seconds, cost.bytes});
     result.leftOut = simulation.plan().leftOut();
     result.cpuSeconds = processSeconds() - cpuStart;
     result.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wallStart).count();

@@ -25,8 +25,8 @@ struct SeamResult {
 };
 
 struct ContactSummary {
-    double bodyPenetrationMaximum = 0;            ///< [m]
-    std::optional<double> bodyClearanceMinimum;   ///< [m]; absent without a body
+    double bodyPenetrationMaximum = 0;                ///< [m]
+    std::optional<double> bodyClearanceMinimum;       ///< [m]; absent without a body
     int selfIntersections = 0, bodyIntersections = 0; ///< pairs of triangles, by the independent exact test
     bool guarantee = false;  ///< self-contact has kept all layers apart since it last found any crossed
     bool outsideBody = true; ///< no intersection, and a clearance of at least a third of the skin offset
@@ -53,7 +53,7 @@ struct SewReport {
     bool atRest = false;
     std::optional<double> residual; ///< largest unbalanced force over the mean particle weight [–]
     double kineticEnergy = 0, gravityEnergy = 0, elasticEnergy = 0; ///< [J]
-    std::size_t peakBytes = 0; ///< most memory the process has held
+    std::size_t peakBytes = 0;                                      ///< most memory the process has held
     std::string resultHash;
     std::vector<PhaseRun> phases; ///< what each ran with
     std::vector<StageShare> stages;

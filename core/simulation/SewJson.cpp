@@ -22,25 +22,36 @@ Json toJson(const SeamResult& seam) {
 
 Json toJson(const OpeningReport& opening) {
     Json json;
-    json.set("name", opening.name).set("crossings", opening.crossings).set("limbs", listOf(opening.limbs, [](const auto& l) { return Json(l); }));
+    json.set("name", opening.name)
+        .set("crossings", opening.crossings)
+        .set("limbs", listOf(opening.limbs, [](const auto& l) { return Json(l); }));
     json.set("perimeter", opening.perimeter).set("height", opening.height);
     return json;
 }
 
-Json numberOrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+Json numberOrNull(const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+}
 
 Json stretchJson(const std::optional<StrainSummary>& woven) {
     const auto value = [&](double StrainSummary::*member) { return woven ? Json((*woven).*member) : Json(); };
     Json json;
-    json.set("warpPercentile99", value(&StrainSummary::warpPercentile99)).set("warpMaximum", value(&StrainSummary::warpMaximum));
-    return json.set("weftPercentile99", value(&StrainSummary::weftPercentile99)).set("weftMaximum", value(&StrainSummary::weftMaximum));
+    json.set("warpPercentile99", value(&StrainSummary::warpPercentile99))
+        .set("warpMaximum", value(&StrainSummary::warpMaximum));
+    return json.set("weftPercentile99", value(&StrainSummary::weftPercentile99))
+        .set("weftMaximum", value(&StrainSummary::weftMaximum));
 }
 
 Json toJson(const std::optional<WornReport>& worn) {
     Json json;
     if (!worn) {
-        json.set("verdict", nullptr).set("why", Json(Json::Array{"The scene has no body with limbs."})).set("openings", nullptr);
-        return json.set("rightSideOut", nullptr).set("turnedLength", nullptr).set("landmarks", nullptr).set("stretch", nullptr);
+        json.set("verdict", nullptr)
+            .set("why", Json(Json::Array{"The scene has no body with limbs."}))
+            .set("openings", nullptr);
+        return json.set("rightSideOut", nullptr)
+            .set("turnedLength", nullptr)
+            .set("landmarks", nullptr)
+            .set("stretch", nullptr);
     }
     json.set("verdict", worn->worn).set("why", listOf(worn->why, [](const auto& reason) { return Json(reason); }));
     json.set("openings", listOf(worn->openings, [](const OpeningReport& opening) { return toJson(opening); }));
@@ -76,7 +87,8 @@ Json toJson(const SewReport& report) {
     json.set("finishDisplacementMaximum", numberOrNull(report.finishDisplacementMaximum));
     Json strain;
     strain.set("warpMaximum", report.strain.warpMaximum).set("weftMaximum", report.strain.weftMaximum);
-    strain.set("warpPercentile99", report.strain.warpPercentile99).set("weftPercentile99", report.strain.weftPercentile99);
+    strain.set("warpPercentile99", report.strain.warpPercentile99)
+        .set("weftPercentile99", report.strain.weftPercentile99);
     strain.set("shearMaximum", report.strain.shearMaximum).set("rms", report.strain.rms);
     json.set("strain", strain);
     json.set("simulatedSeconds", report.simulatedSeconds).set("heldSeconds", report.heldSeconds);
@@ -84,21 +96,27 @@ Json toJson(const SewReport& report) {
     json.set("steps", report.steps).set("substeps", report.substeps);
     json.set("atRest", report.atRest).set("ending", report.ending).set("residual", numberOrNull(report.residual));
     Json energy;
-    energy.set("kinetic", report.kineticEnergy).set("gravity", report.gravityEnergy).set("elastic", report.elasticEnergy);
+    energy.set("kinetic", report.kineticEnergy)
+        .set("gravity", report.gravityEnergy)
+        .set("elastic", report.elasticEnergy);
     json.set("energy", energy);
     json.set("peakBytes", report.peakBytes).set("resultHash", report.resultHash);
     json.set("phases", listOf(report.phases, [](const PhaseRun& phase) {
                  Json item;
-                 item.set("name", nameOf(phase.phase)).set("method", std::string(phase.method)).set("simulatedSeconds", phase.seconds);
+                 item.set("name", nameOf(phase.phase))
+                     .set("method", std::string(phase.method))
+                     .set("simulatedSeconds", phase.seconds);
                  item.set("parts", phase.steps.parts).set("newtonIterations", phase.steps.newtonIterations);
-                 item.set("factorizations", phase.steps.factorizations).set("gradientIterations", phase.steps.gradientIterations);
+                 item.set("factorizations", phase.steps.factorizations)
+                     .set("gradientIterations", phase.steps.gradientIterations);
                  item.set("repeatedParts", phase.steps.repeated).set("unsolvedSteps", phase.unsolvedSteps);
                  return item;
              }));
     json.set("stages", listOf(report.stages, [&](const StageShare& stage) {
                  Json item;
                  item.set("name", stage.name).set("seconds", stage.seconds);
-                 item.set("share", report.wallSeconds > 0 ? stage.seconds / report.wallSeconds : 0.0).set("bytes", stage.bytes);
+                 item.set("share", report.wallSeconds > 0 ? stage.seconds / report.wallSeconds : 0.0)
+                     .set("bytes", stage.bytes);
                  return item;
              }));
     json.set("leftOut", listOf(report.leftOut, [](const LeftOut& left) {

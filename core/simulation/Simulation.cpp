@@ -93,7 +93,8 @@ Simulation::Simulation(Scene scene, Garment garment, std::shared_ptr<const colli
     for (std::size_t seam = 0; seam < garment_->mesh->seams.size(); ++seam) {
         const pattern::Seam& authored = scene_.pattern.seams[seam];
         seams_.push_back({authored.name.empty() ? authored.id.value : authored.name,
-                          static_cast<int>(garment_->mesh->seams[seam].pairs.size()), authored.order, gapOf(seam).maximum, 0, false});
+                          static_cast<int>(garment_->mesh->seams[seam].pairs.size()), authored.order,
+                          gapOf(seam).maximum, 0, false});
     }
     seamGaps_.resize(seams_.size());
     seamStart_.assign(seams_.size(), -1);
@@ -128,7 +129,8 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) 
         if (found == old.end()) continue;
         const auto from = static_cast<std::size_t>(found - old.begin());
         const meshing::PieceMesh& oldMesh = before.garment_->mesh->pieces[from];
-        const DrapedPiece drape(oldMesh, std::span(draped).subspan(before.garment_->particles.firstNode[from], oldMesh.nodes.size()));
+        const DrapedPiece drape(
+            oldMesh, std::span(draped).subspan(before.garment_->particles.firstNode[from], oldMesh.nodes.size()));
         const meshing::PieceMesh& mesh = after.garment_->mesh->pieces[piece];
         for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
             nodes[after.garment_->particles.firstNode[piece] + node] = drape.at(mesh.nodes[node]);
@@ -155,9 +157,11 @@ void Simulation::rebuildPlan() {
     Scene now = scene_;
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
     plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), state_.positions);
-    xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model, dynamics::XpbdSettings{.damping = damping(), .speedLimit = 10});
-    substeps_ = scene_.settings.substeps > 0 ? scene_.settings.substeps
-                                             : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
+    xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model,
+                                             dynamics::XpbdSettings{.damping = damping(), .speedLimit = 10});
+    substeps_ = scene_.settings.substeps > 0
+                    ? scene_.settings.substeps
+                    : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
                                             length(scene_.settings.gravity));
     if (phase_ == Phase::sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
     integrator_.reset();
@@ -168,7 +172,8 @@ void Simulation::rebuildPlan() {
 }
 
 std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method method) const {
-    return dynamics::makeIntegrator(method, garment_->model, {.damping = damping(), .positionTolerance = positionTolerance});
+    return dynamics::makeIntegrator(method, garment_->model,
+                                    {.damping = damping(), .positionTolerance = positionTolerance});
 }
 
 double Simulation::damping() const {
@@ -281,7 +286,8 @@ Result<void> Simulation::advance(std::stop_token stop) {
     ++steps_;
     largestSpeed_ = 0;
     for (std::size_t i = 0; i < state_.positions.size(); ++i)
-        largestSpeed_ = std::max(largestSpeed_, geometry::distance(before.positions[i], state_.positions[i]) / duration);
+        largestSpeed_ =
+            std::max(largestSpeed_, geometry::distance(before.positions[i], state_.positions[i]) / duration);
     if (const auto sewn = mergeReadySeams(); !sewn) return sewn;
     goOnDressing();
     restingTime_ = largestSpeed_ < restingSpeed && phase_ == Phase::draping ? restingTime_ + duration : 0;
@@ -297,14 +303,15 @@ std::vector<StepPlan::StageCost> Simulation::stageCosts() const {
         if (const auto* stage = plan_.find(cost.name)) cost.bytes = stage->bytes();
     double inStages = 0;
     for (const StepPlan::StageCost& cost : costs) inStages += cost.seconds;
-    costs.push_back({"cloth", std::max(0.0, allSeconds_ - inStages),
-                     xpbd_->bytes() + (integrator_ ? integrator_->bytes() : 0)});
+    costs.push_back(
+        {"cloth", std::max(0.0, allSeconds_ - inStages), xpbd_->bytes() + (integrator_ ? integrator_->bytes() : 0)});
     return costs;
 }
 
 Result<dynamics::StaticReport> Simulation::settle(const dynamics::StaticSettings& settings, std::stop_token stop,
                                                   const Progress& progress) {
-    return dynamics::solveStatic(garment_->model, state_, scene_.settings.gravity, plan_.stages(), settings, stop, progress);
+    return dynamics::solveStatic(garment_->model, state_, scene_.settings.gravity, plan_.stages(), settings, stop,
+                                 progress);
 }
 
 bool Simulation::allSeamsMerged() const {
@@ -337,7 +344,8 @@ Frame Simulation::frame() const {
     frame.time = state_.time;
     frame.framesPerSecond = stepSeconds_ > 0 ? 1 / stepSeconds_ : 0;
     frame.particles = garment_->particles.particleCount;
-    for (const std::size_t seam : closingSeams()) frame.largestSeamGap = std::max(frame.largestSeamGap, gapOf(seam).maximum);
+    for (const std::size_t seam : closingSeams())
+        frame.largestSeamGap = std::max(frame.largestSeamGap, gapOf(seam).maximum);
     frame.largestSpeed = largestSpeed_;
     frame.atRest = restingTime_ >= 0.5;
     return frame;

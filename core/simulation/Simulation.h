@@ -38,17 +38,17 @@ enum class Phase { sewing, shaking, draping };
 /// What a phase ran with.
 struct PhaseRun {
     Phase phase = Phase::sewing;
-    std::string_view method;          ///< as dynamics::nameOf
-    double seconds = 0;               ///< simulated
+    std::string_view method;                ///< as dynamics::nameOf
+    double seconds = 0;                     ///< simulated
     dynamics::StepReport steps{.parts = 0}; ///< of all frame steps
-    int unsolvedSteps = 0;            ///< frame steps with a part that missed its tolerance
+    int unsolvedSteps = 0;                  ///< frame steps with a part that missed its tolerance
 };
 
 struct DressingSettings {
-    double sewingDamping = 10;  ///< mass-proportional, while seams close [1/s]
-    double shakingDamping = 3;  ///< mass-proportional, after that [1/s]
-    double shakingTime = 2.0;   ///< [s]
-    int sewingSubsteps = 20;    ///< of a frame step at most, while seams close: yielding cloth sews well
+    double sewingDamping = 10; ///< mass-proportional, while seams close [1/s]
+    double shakingDamping = 3; ///< mass-proportional, after that [1/s]
+    double shakingTime = 2.0;  ///< [s]
+    int sewingSubsteps = 20;   ///< of a frame step at most, while seams close: yielding cloth sews well
 };
 
 /// When a seam becomes one row of particles (docs/physics/seams.md).
@@ -75,8 +75,8 @@ public:
     [[nodiscard]] Result<void> advance(std::stop_token stop = {});
 
     /// Goes on to the equilibrium with contact and friction by Newton's method.
-    [[nodiscard]] Result<dynamics::StaticReport> settle(const dynamics::StaticSettings& settings, std::stop_token stop = {},
-                                                        const Progress& progress = {});
+    [[nodiscard]] Result<dynamics::StaticReport> settle(const dynamics::StaticSettings& settings,
+                                                        std::stop_token stop = {}, const Progress& progress = {});
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const Garment& garment() const { return *garment_; }
@@ -132,7 +132,7 @@ private:
     std::unique_ptr<dynamics::Xpbd> xpbd_;
     std::optional<dynamics::Method> drapingMethod_ = dynamics::Method::xpbd;
     std::unique_ptr<dynamics::Integrator> integrator_; ///< while another method than XPBD is at work
-    int calmingFrames_ = 0;       ///< left
+    int calmingFrames_ = 0;                            ///< left
     std::vector<PhaseRun> phases_;
     std::vector<SeamState> seams_;
     std::vector<std::vector<double>> seamGaps_; ///< of each pair when its seam began to close [m]
@@ -141,7 +141,7 @@ private:
     double sewnTime_ = 0; ///< when the last seam was closed or given up [s]
     int substeps_ = 0, steps_ = 0;
     double largestSpeed_ = 0, restingTime_ = 0;
-    double stepSeconds_ = 0, allSeconds_ = 0;        ///< wall time of the last frame step, of all
+    double stepSeconds_ = 0, allSeconds_ = 0;      ///< wall time of the last frame step, of all
     std::vector<StepPlan::StageCost> formerCosts_; ///< of plans that were replaced
 };
 

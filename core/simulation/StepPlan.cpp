@@ -55,7 +55,9 @@ void StepPlan::add(std::unique_ptr<dynamics::Stage> stage) {
     order_.push_back(owned_.back().get());
 }
 
-void StepPlan::leaveOut(std::string stage, std::string why) { leftOut_.push_back({std::move(stage), std::move(why)}); }
+void StepPlan::leaveOut(std::string stage, std::string why) {
+    leftOut_.push_back({std::move(stage), std::move(why)});
+}
 
 dynamics::Stage* StepPlan::find(std::string_view name) const {
     for (const auto& timed : owned_)

@@ -75,7 +75,8 @@ FrameTopology topologyOf(const pattern::Pattern& pattern, const meshing::Garment
     }
     for (const meshing::SeamNodes& seam : mesh.seams) {
         auto& pairs = topology.seams.emplace_back();
-        for (const auto& [a, b] : seam.pairs) pairs.push_back({firstNode[a.piece] + a.node, firstNode[b.piece] + b.node});
+        for (const auto& [a, b] : seam.pairs)
+            pairs.push_back({firstNode[a.piece] + a.node, firstNode[b.piece] + b.node});
     }
     return topology;
 }

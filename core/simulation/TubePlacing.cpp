@@ -27,14 +27,12 @@ Transform pieceFrame(const Transform& limb, const TubePlace& place) {
     const Vec3 outward = upper * std::cos(turn) - cross(along, upper) * std::sin(turn);
     const Vec3 across = cross(along, outward);
     const Vec2 a = place.axis, b = acrossOf(a);
-    return {across * b.x + along * a.x, across * b.y + along * a.y, outward,
-            limb.origin + outward * place.radius};
+    return {across * b.x + along * a.x, across * b.y + along * a.y, outward, limb.origin + outward * place.radius};
 }
 
 } // namespace
 
-pattern::Placement placedRound(const geometry::Polyline& limb, const TubePlace& place, double low,
-                               double high) {
+pattern::Placement placedRound(const geometry::Polyline& limb, const TubePlace& place, double low, double high) {
     geometry::Polyline line = limb;
     double at = place.at;
     if (!place.towardsEnd) {
@@ -48,9 +46,8 @@ pattern::Placement placedRound(const geometry::Polyline& limb, const TubePlace& 
     const int parts = std::max(1, static_cast<int>(std::ceil((high - low) / step))) + 2;
     for (int i = 0; i <= parts; ++i) {
         const double along = low - step + (high - low + 2 * step) * i / parts;
-        const Vec3 p =
-            seenFrom(placement.transform, geometry::frameAlong(line, at + along, place.upper).origin) +
-            Vec3{0, 0, place.radius};
+        const Vec3 p = seenFrom(placement.transform, geometry::frameAlong(line, at + along, place.upper).origin) +
+                       Vec3{0, 0, place.radius};
         off = std::max(off, geometry::distance(p, Vec3{place.axis.x, place.axis.y, 0} * along));
         bent.points.push_back(p);
     }

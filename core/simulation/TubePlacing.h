@@ -18,8 +18,8 @@ struct TubePlace {
 
 /// The placement that rolls a piece round the middle line of a limb. It follows the line between the two
 /// coordinates along the axis, `low` and `high` [m], where that is more than a millimetre off the straight.
-[[nodiscard]] pattern::Placement placedRound(const geometry::Polyline& limb, const TubePlace& place,
-                                             double low, double high);
+[[nodiscard]] pattern::Placement placedRound(const geometry::Polyline& limb, const TubePlace& place, double low,
+                                             double high);
 
 /// Points all over a piece: on its outline and inside, 15 mm apart.
 [[nodiscard]] std::vector<Vec2> pointsOn(const pattern::Piece& piece);

@@ -16,8 +16,8 @@ struct NamedAxis {
     std::vector<Vec3> points;
 };
 
-/// Neck and torso as one line from the head down: where a low neckline crosses it does not hang on where the one ends and
-/// the other begins. The two overlap at the base of the neck; there the torso's points are left out.
+/// Neck and torso as one line from the head down: where a low neckline crosses it does not hang on where the one ends
+/// and the other begins. The two overlap at the base of the neck; there the torso's points are left out.
 std::vector<Vec3> trunkLine(const body::Body& body) {
     std::vector<Vec3> neck, torso;
     for (const body::LimbAxis& axis : body.axes) {
@@ -75,7 +75,9 @@ double perimeterOf(const std::vector<Vec3>& loop) {
     return sum;
 }
 
-double shoulderHeight(const body::Landmarks& marks) { return 0.5 * (marks.acromionLeft.y + marks.acromionRight.y); }
+double shoulderHeight(const body::Landmarks& marks) {
+    return 0.5 * (marks.acromionLeft.y + marks.acromionRight.y);
+}
 
 OpeningReport openingReport(const Opening& opening, const Drape& drape, const body::Body& body,
                             const std::vector<NamedAxis>& axes) {
@@ -87,9 +89,9 @@ OpeningReport openingReport(const Opening& opening, const Drape& drape, const bo
     for (const NamedAxis& axis : axes)
         if (const int times = crossings(loop, axis.points); times > 0) {
             report.crossings += times;
-            report.limbs.push_back(axis.name != "trunk"                              ? axis.name
+            report.limbs.push_back(axis.name != "trunk"                                    ? axis.name
                                    : report.height > shoulderHeight(body.landmarks) - 0.06 ? "neck"
-                                                                                            : "torso");
+                                                                                           : "torso");
         }
     report.name = report.limbs.empty() ? "free edge" : report.limbs.front();
     return report;
@@ -109,14 +111,16 @@ void judgeOpenings(WornReport& report, const std::vector<Opening>& openings, con
     for (std::size_t i = 0; i < report.openings.size(); ++i) {
         const OpeningReport& opening = report.openings[i];
         if (opening.limbs.empty())
-            report.why.push_back(fmt::format("No limb passes through the opening at height {:.0f} mm.", 1000 * opening.height));
+            report.why.push_back(
+                fmt::format("No limb passes through the opening at height {:.0f} mm.", 1000 * opening.height));
         else if (!isSound(opening))
-            report.why.push_back(fmt::format("The opening at height {:.0f} mm is crossed {} times ({}).", 1000 * opening.height,
-                                             opening.crossings, fmt::join(opening.limbs, ", ")));
+            report.why.push_back(fmt::format("The opening at height {:.0f} mm is crossed {} times ({}).",
+                                             1000 * opening.height, opening.crossings, fmt::join(opening.limbs, ", ")));
         // The arm must be the one beside which the opening was placed.
         const double startSide = meanOf(pointsOf(openings[i], drape.start)).x;
         if ((opening.name == "left arm" && startSide < 0) || (opening.name == "right arm" && startSide > 0))
-            report.why.push_back(fmt::format("The {} is in an opening that was placed on the other side.", opening.name));
+            report.why.push_back(
+                fmt::format("The {} is in an opening that was placed on the other side.", opening.name));
     }
     for (const char* limb : {"neck", "left arm", "right arm"})
         if (std::ranges::count(report.openings, limb, &OpeningReport::name) > 1)
@@ -127,7 +131,8 @@ Vec3 centreOf(const std::array<int, 3>& triangle, const std::vector<Vec3>& posit
     return (positions[triangle[0]] + positions[triangle[1]] + positions[triangle[2]]) / 3;
 }
 
-/// For each triangle the patch of its piece that it belongs to: patches are some 0.2 m across where the piece was placed.
+/// For each triangle the patch of its piece that it belongs to: patches are some 0.2 m across where the piece was
+/// placed.
 std::vector<int> patchesOf(const Drape& drape) {
     constexpr double size = 0.2; // [m]: wider than folds are deep, narrow enough that a turned side of a piece is one
     struct Seed {
@@ -175,7 +180,8 @@ double rightSideShare(const Drape& drape, const collision::BodySurface& surface)
 
 double turnedLength(const Drape& drape) {
     double sum = 0;
-    for (const auto& [a, b] : turnedEdgesOf(drape.triangles)) sum += geometry::distance(drape.positions[a], drape.positions[b]);
+    for (const auto& [a, b] : turnedEdgesOf(drape.triangles))
+        sum += geometry::distance(drape.positions[a], drape.positions[b]);
     return sum;
 }
 
@@ -196,14 +202,16 @@ Vec3 backNeckPoint(const std::vector<Vec3>& loop) {
     return best;
 }
 
-void judgeNeckOrWaist(WornReport& report, const std::vector<Opening>& openings, const Drape& drape, const body::Body& body,
-                      const WornSettings& settings) {
+void judgeNeckOrWaist(WornReport& report, const std::vector<Opening>& openings, const Drape& drape,
+                      const body::Body& body, const WornSettings& settings) {
     const auto neck = std::ranges::find(report.openings, "neck", &OpeningReport::name);
     if (neck != report.openings.end()) {
         const auto& opening = openings[static_cast<std::size_t>(neck - report.openings.begin())];
-        report.napeDistance = geometry::distance(backNeckPoint(pointsOf(opening, drape.positions)), body.landmarks.nape);
+        report.napeDistance =
+            geometry::distance(backNeckPoint(pointsOf(opening, drape.positions)), body.landmarks.nape);
         if (*report.napeDistance > settings.napeDistance)
-            report.why.push_back(fmt::format("The back-neck point lies {:.1f} mm from the nape.", 1000 * *report.napeDistance));
+            report.why.push_back(
+                fmt::format("The back-neck point lies {:.1f} mm from the nape.", 1000 * *report.napeDistance));
         return;
     }
     const auto top = std::ranges::max_element(report.openings, {}, &OpeningReport::startHeight);
@@ -232,16 +240,19 @@ void judgeStretch(WornReport& report, const Drape& drape, const WornSettings& se
     if (!drape.wovenStrain) return;
     const auto judge = [&](const char* direction, double percentile99, double maximum) {
         if (percentile99 > settings.stretchPercentile99)
-            report.why.push_back(fmt::format("A hundredth of the woven cloth is stretched by more than {:.1f} % along its {}.",
-                                             100 * percentile99, direction));
+            report.why.push_back(
+                fmt::format("A hundredth of the woven cloth is stretched by more than {:.1f} % along its {}.",
+                            100 * percentile99, direction));
         if (maximum > settings.stretchMaximum)
-            report.why.push_back(fmt::format("Woven cloth is stretched by {:.1f} % along its {}.", 100 * maximum, direction));
+            report.why.push_back(
+                fmt::format("Woven cloth is stretched by {:.1f} % along its {}.", 100 * maximum, direction));
     };
     judge("warp", drape.wovenStrain->warpPercentile99, drape.wovenStrain->warpMaximum);
     judge("weft", drape.wovenStrain->weftPercentile99, drape.wovenStrain->weftMaximum);
 }
 
-std::vector<OpeningReport> openingReports(const std::vector<Opening>& openings, const Drape& drape, const body::Body& body) {
+std::vector<OpeningReport> openingReports(const std::vector<Opening>& openings, const Drape& drape,
+                                          const body::Body& body) {
     const std::vector<NamedAxis> axes = axesOf(body);
     std::vector<OpeningReport> reports;
     for (const Opening& opening : openings) reports.push_back(openingReport(opening, drape, body, axes));
@@ -275,10 +286,12 @@ WornReport wornReport(const Drape& drape, const body::Body& body, const collisio
     judgeOpenings(report, openings, drape);
     report.turnedLength = turnedLength(drape);
     if (report.turnedLength > 0)
-        report.why.push_back(fmt::format("Right side is sewn to wrong side along {:.0f} mm.", 1000 * report.turnedLength));
+        report.why.push_back(
+            fmt::format("Right side is sewn to wrong side along {:.0f} mm.", 1000 * report.turnedLength));
     report.rightSideOut = rightSideShare(drape, surface);
     if (report.rightSideOut < settings.rightSideShare)
-        report.why.push_back(fmt::format("Only {:.1f} % of the cloth has its right side out.", 100 * report.rightSideOut));
+        report.why.push_back(
+            fmt::format("Only {:.1f} % of the cloth has its right side out.", 100 * report.rightSideOut));
     judgeNeckOrWaist(report, openings, drape, body, settings);
     judgeSymmetry(report, drape, settings);
     judgeStretch(report, drape, settings);

@@ -14,21 +14,22 @@ namespace toile::simulation {
 
 /// One border of the sewn garment and the limbs that pass through it.
 struct OpeningReport {
-    std::string name;                ///< "neck", "left arm", "hem"…, by the limb that crosses it
-    std::vector<std::string> limbs;  ///< limbs whose middle line crosses it
-    int crossings = 0;               ///< of all middle lines together
-    double perimeter = 0;            ///< [m]
-    double height = 0;               ///< mean height over the floor [m]
-    double startHeight = 0;          ///< the same where the pieces were placed [m]
+    std::string name;               ///< "neck", "left arm", "hem"…, by the limb that crosses it
+    std::vector<std::string> limbs; ///< limbs whose middle line crosses it
+    int crossings = 0;              ///< of all middle lines together
+    double perimeter = 0;           ///< [m]
+    double height = 0;              ///< mean height over the floor [m]
+    double startHeight = 0;         ///< the same where the pieces were placed [m]
 };
 
 struct WornSettings {
-    double rightSideShare = 0.99;    ///< of the area must face away from the body [–]
-    double napeDistance = 0.015;     ///< largest distance of the back-neck point from the nape [m]
-    double symmetry = 0.005;         ///< largest difference of a mirror pair of landmarks [m]
-    double waistDrop = 0.015;        ///< how far a waistband may lie from the level it was placed at [m]
-    double stretchPercentile99 = 0.02; ///< which 99 % of the area of woven cloth may not exceed, along warp and weft [–]
-    double stretchMaximum = 0.05;      ///< which no element of woven cloth may exceed [–]
+    double rightSideShare = 0.99; ///< of the area must face away from the body [–]
+    double napeDistance = 0.015;  ///< largest distance of the back-neck point from the nape [m]
+    double symmetry = 0.005;      ///< largest difference of a mirror pair of landmarks [m]
+    double waistDrop = 0.015;     ///< how far a waistband may lie from the level it was placed at [m]
+    double stretchPercentile99 =
+        0.02;                     ///< which 99 % of the area of woven cloth may not exceed, along warp and weft [–]
+    double stretchMaximum = 0.05; ///< which no element of woven cloth may exceed [–]
 };
 
 /// Whether the garment hangs on the body as it was meant to.
@@ -36,9 +37,9 @@ struct WornReport {
     bool worn = false;
     std::vector<std::string> why; ///< a sentence for each condition that fails; empty when worn
     std::vector<OpeningReport> openings;
-    double turnedLength = 0;                  ///< of seams that join right side to wrong side [m]
-    double rightSideOut = 0;                  ///< share of the area whose right side faces away from the body, patch by patch
-    std::optional<double> napeDistance;       ///< [m]; of garments with a neck opening
+    double turnedLength = 0;            ///< of seams that join right side to wrong side [m]
+    double rightSideOut = 0;            ///< share of the area whose right side faces away from the body, patch by patch
+    std::optional<double> napeDistance; ///< [m]; of garments with a neck opening
     std::optional<double> symmetryDifference; ///< [m]; of patterns with mirror pieces
     std::optional<double> waistDrop;          ///< [m]; of garments without a neck opening
     std::optional<StrainSummary> wovenStrain; ///< of garments with woven pieces
@@ -48,8 +49,8 @@ struct WornReport {
 struct Drape {
     std::vector<std::array<int, 3>> triangles;
     std::vector<Vec3> positions, start;
-    std::vector<std::array<int, 2>> mirrorPairs; ///< particles at corners of mirror pieces and their sources
-    std::vector<int> piece = {};                 ///< of each triangle; empty = all of one
+    std::vector<std::array<int, 2>> mirrorPairs;   ///< particles at corners of mirror pieces and their sources
+    std::vector<int> piece = {};                   ///< of each triangle; empty = all of one
     std::optional<StrainSummary> wovenStrain = {}; ///< of the woven pieces; absent if all are knits
 };
 

@@ -31,7 +31,8 @@ int main(int count, char** arguments) {
     std::error_code created;
     std::filesystem::create_directories(folder / "bodies", created);
     for (const samples::NamedDocument& sample : samples::sampleDocuments(*mannequin))
-        if (const auto written = io::writeToile(sample.document, (folder / (sample.name + ".toile")).string()); !written)
+        if (const auto written = io::writeToile(sample.document, (folder / (sample.name + ".toile")).string());
+            !written)
             return failed(written.error());
     for (const samples::NamedBody& sample : samples::sampleBodies(*mannequin))
         if (const auto written = io::writeBody(folder / "bodies" / (sample.name + ".glb"), sample.body); !written)

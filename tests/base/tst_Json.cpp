@@ -42,7 +42,9 @@ void tst_Json::anErrorNamesFileAndLine() {
     QCOMPARE(json.error().place.line, 3);
 }
 
-void tst_Json::aKeyGivenTwiceIsRefused() { QVERIFY(!parseJson("{\"a\": 1, \"a\": 2}")); }
+void tst_Json::aKeyGivenTwiceIsRefused() {
+    QVERIFY(!parseJson("{\"a\": 1, \"a\": 2}"));
+}
 
 void tst_Json::deepNestingIsRefused() {
     QVERIFY(!parseJson(std::string(100000, '[')));

@@ -23,8 +23,7 @@ const Body& tall() {
     return body;
 }
 
-constexpr std::array limbs{Limb::neck,     Limb::torso,   Limb::leftArm,
-                           Limb::rightArm, Limb::leftLeg, Limb::rightLeg};
+constexpr std::array limbs{Limb::neck, Limb::torso, Limb::leftArm, Limb::rightArm, Limb::leftLeg, Limb::rightLeg};
 
 bool isNear(const Vec3& a, const Vec3& b, double tolerance) {
     return distance(a, b) <= tolerance;
@@ -72,8 +71,7 @@ void tst_Arrangement::volumesHoldTheirLimb() {
     QVERIFY(std::abs(torso->length - 0.41) < 0.005); // nape to waist as asked
     const auto arm = std::ranges::find(volumes, Limb::leftArm, &ArrangementVolume::limb);
     QVERIFY(arm->rings.back().side < 0.03); // a wrist
-    for (const ArrangementVolume& v : volumes)
-        QVERIFY(std::ranges::is_sorted(v.rings, {}, &ArrangementRing::at));
+    for (const ArrangementVolume& v : volumes) QVERIFY(std::ranges::is_sorted(v.rings, {}, &ArrangementRing::at));
 }
 
 void tst_Arrangement::carryingOverToTheSameBodyChangesNothing() {
@@ -97,11 +95,9 @@ void tst_Arrangement::landmarksOfALimbAreCarriedToThoseOfTheOther() {
 void tst_Arrangement::placementsStayRigid() {
     const Transform placement{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, {0.3, 1.2, 0}};
     const Transform carried = *placementCarriedOver(placement, usual(), tall(), Limb::leftArm);
-    QVERIFY(std::abs(length(carried.axisX) - 1) < 1e-12 &&
-            std::abs(dot(carried.axisX, carried.axisY)) < 1e-12);
+    QVERIFY(std::abs(length(carried.axisX) - 1) < 1e-12 && std::abs(dot(carried.axisX, carried.axisY)) < 1e-12);
     QVERIFY(isNear(cross(carried.axisX, carried.axisY), carried.axisZ, 1e-12));
-    QVERIFY(
-        isNear(carried.origin, carriedOver(usual(), tall(), Limb::leftArm)->point(placement.origin), 1e-12));
+    QVERIFY(isNear(carried.origin, carriedOver(usual(), tall(), Limb::leftArm)->point(placement.origin), 1e-12));
 }
 
 void tst_Arrangement::sizesCompareLikeGirths() {

@@ -28,8 +28,7 @@ const Mannequin& mannequinOf(std::size_t sample) {
 
 double distanceToMesh(const Vec3& p, const geometry::TriangleMesh& mesh) {
     double best = 1e9;
-    for (const auto& [a, b, c] :
-         mesh.triangles) { // corners, edge middles and centroid: fine enough for 10 mm edges
+    for (const auto& [a, b, c] : mesh.triangles) { // corners, edge middles and centroid: fine enough for 10 mm edges
         const Vec3 &u = mesh.vertices[a], &v = mesh.vertices[b], &w = mesh.vertices[c];
         const Vec3 normal = normalized(cross(v - u, w - u)), centroid = (u + v + w) / 3;
         if (distance(p, centroid) < 0.012) best = std::min(best, std::abs(dot(p - u, normal)));
@@ -105,8 +104,7 @@ void tst_Mannequin::everyVertexHasOneFan() {
     const auto& mesh = current().body.mesh;
     std::vector<std::map<int, int>> next(mesh.vertices.size()); // round each vertex: neighbour → neighbour
     for (const auto& t : mesh.triangles)
-        for (std::size_t i = 0; i < 3; ++i)
-            next[static_cast<std::size_t>(t[i])][t[(i + 1) % 3]] = t[(i + 2) % 3];
+        for (std::size_t i = 0; i < 3; ++i) next[static_cast<std::size_t>(t[i])][t[(i + 1) % 3]] = t[(i + 2) % 3];
     for (const auto& fan : next) {
         int at = fan.begin()->first;
         std::size_t steps = 0;
@@ -121,8 +119,7 @@ void tst_Mannequin::isItsOwnMirrorImage() {
     std::map<std::array<double, 3>, int> places;
     const auto& vertices = current().body.mesh.vertices;
     for (const Vec3& p : vertices) ++places[{p.x, p.y, p.z}];
-    for (const Vec3& p : vertices)
-        QVERIFY(places.contains({p.x == 0 ? 0 : -p.x, p.y, p.z})); // to the last bit
+    for (const Vec3& p : vertices) QVERIFY(places.contains({p.x == 0 ? 0 : -p.x, p.y, p.z})); // to the last bit
 }
 
 void tst_Mannequin::itsTrianglesAreWellShaped() {
@@ -130,13 +127,11 @@ void tst_Mannequin::itsTrianglesAreWellShaped() {
     double sharpest = std::numbers::pi, edges = 0;
     for (const auto& t : mesh.triangles)
         for (std::size_t i = 0; i < 3; ++i) {
-            const Vec3 a = mesh.vertices[t[i]], b = mesh.vertices[t[(i + 1) % 3]],
-                       c = mesh.vertices[t[(i + 2) % 3]];
+            const Vec3 a = mesh.vertices[t[i]], b = mesh.vertices[t[(i + 1) % 3]], c = mesh.vertices[t[(i + 2) % 3]];
             sharpest = std::min(sharpest, std::atan2(length(cross(b - a, c - a)), dot(b - a, c - a)));
             edges += distance(a, b);
         }
-    QVERIFY2(sharpest > 5 * std::numbers::pi / 180,
-             qPrintable(QString::number(sharpest * 180 / std::numbers::pi)));
+    QVERIFY2(sharpest > 5 * std::numbers::pi / 180, qPrintable(QString::number(sharpest * 180 / std::numbers::pi)));
     const double mean = edges / (3.0 * static_cast<double>(mesh.triangles.size()));
     QVERIFY(mean > 0.009 && mean < 0.012); // what the cloth of 10 mm wants to lie on
     QVERIFY(mesh.triangles.size() > 20000 && mesh.triangles.size() < 45000);
@@ -159,8 +154,7 @@ void tst_Mannequin::girthsAreAsAsked() {
     const double waist = mannequin.body.landmarks.waist.y;
     const auto loop = sectionRound(mannequin.body.mesh, {{0, waist, 0}, {0, 1, 0}});
     QVERIFY(loop && std::abs(tapeGirth(*loop) - mannequin.measurements.waist) <= promise);
-    const auto bust =
-        sectionRound(mannequin.body.mesh, {{0, mannequin.body.landmarks.bustLeft.y, 0}, {0, 1, 0}});
+    const auto bust = sectionRound(mannequin.body.mesh, {{0, mannequin.body.landmarks.bustLeft.y, 0}, {0, 1, 0}});
     QVERIFY(bust && std::abs(tapeGirth(*bust) - mannequin.measurements.bust) <= promise);
 }
 
@@ -185,12 +179,11 @@ void tst_Mannequin::landmarksLieOnTheSkin() {
     const Landmarks& l = current().body.landmarks;
     const double flatness =
         0.0015; // how far 10 mm triangles lie from a curve of 10 mm radius, and the floor's shift [m]
-    for (const Vec3& p : {l.nape, l.frontNeck, l.neckLeft, l.neckRight, l.acromionLeft, l.acromionRight,
-                          l.bustLeft, l.bustRight, l.crotch}) {
+    for (const Vec3& p : {l.nape, l.frontNeck, l.neckLeft, l.neckRight, l.acromionLeft, l.acromionRight, l.bustLeft,
+                          l.bustRight, l.crotch}) {
         const double off = distanceToMesh(p, current().body.mesh);
-        QVERIFY2(
-            off < flatness,
-            qPrintable(QStringLiteral("%1 mm at (%2, %3, %4)").arg(off * 1e3).arg(p.x).arg(p.y).arg(p.z)));
+        QVERIFY2(off < flatness,
+                 qPrintable(QStringLiteral("%1 mm at (%2, %3, %4)").arg(off * 1e3).arg(p.x).arg(p.y).arg(p.z)));
     }
     QVERIFY(l.neckRight == (Vec3{-l.neckLeft.x, l.neckLeft.y, l.neckLeft.z}));
     QVERIFY(l.nape.z < l.neckLeft.z && l.neckLeft.z < l.frontNeck.z && l.frontNeck.y < l.nape.y);
@@ -210,9 +203,7 @@ void tst_Mannequin::axesLeaveTheBodyAtTheEndOfTheirLimb() {
     QCOMPARE(body.axes.size(), std::size_t{6});
     for (const LimbAxis& axis : body.axes)
         QCOMPARE(crossings(axis.points, body.mesh), 1); // from inside, out at the end
-    const auto endOf = [&](Limb limb) {
-        return std::ranges::find(body.axes, limb, &LimbAxis::limb)->points.back();
-    };
+    const auto endOf = [&](Limb limb) { return std::ranges::find(body.axes, limb, &LimbAxis::limb)->points.back(); };
     QVERIFY(endOf(Limb::leftArm).x > 0.5 && endOf(Limb::rightArm).x < -0.5);
     QVERIFY(endOf(Limb::leftLeg).x > 0 && endOf(Limb::leftLeg).y < 0);
     QVERIFY(endOf(Limb::neck).y > current().measurements.height);

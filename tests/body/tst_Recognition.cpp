@@ -48,16 +48,14 @@ TriangleMesh box(const Vec3& low, const Vec3& high) {
 void append(TriangleMesh& mesh, const TriangleMesh& other) {
     const int offset = static_cast<int>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-    for (const auto& [a, b, c] : other.triangles)
-        mesh.triangles.push_back({a + offset, b + offset, c + offset});
+    for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({a + offset, b + offset, c + offset});
 }
 
 /// Four legs and a top, 0.75 m high.
 TriangleMesh table() {
     TriangleMesh mesh = box({-0.6, 0.72, -0.4}, {0.6, 0.75, 0.4});
     for (const double x : {-0.55, 0.55})
-        for (const double z : {-0.35, 0.35})
-            append(mesh, box({x - 0.03, 0, z - 0.03}, {x + 0.03, 0.72, z + 0.03}));
+        for (const double z : {-0.35, 0.35}) append(mesh, box({x - 0.03, 0, z - 0.03}, {x + 0.03, 0.72, z + 0.03}));
     return mesh;
 }
 
@@ -85,8 +83,7 @@ void tst_Recognition::ourMannequinIsRecognised_data() {
     QTest::addColumn<Measurements>("measurements");
     QTest::addColumn<bool>("hasBust");
     for (const NamedMeasurements& m : sampleMeasurements())
-        QTest::newRow(m.name.c_str())
-            << m.measurements << (m.measurements.bust > 1.1 * m.measurements.underBust);
+        QTest::newRow(m.name.c_str()) << m.measurements << (m.measurements.bust > 1.1 * m.measurements.underBust);
 }
 
 void tst_Recognition::ourMannequinIsRecognised() {
@@ -126,8 +123,7 @@ void tst_Recognition::stretchedArmsAreFollowed() {
     const auto found = recognizedBody("stretched", made->body.mesh);
     QVERIFY2(found, found ? "" : toString(found.error()).c_str());
     QVERIFY(distance(found->landmarks.wristLeft, made->body.landmarks.wristLeft) < 0.03);
-    QVERIFY(distance(found->landmarks.acromionLeft, made->body.landmarks.acromionLeft) <
-            0.05); // no kink tells where
+    QVERIFY(distance(found->landmarks.acromionLeft, made->body.landmarks.acromionLeft) < 0.05); // no kink tells where
     QVERIFY(distance(found->landmarks.nape, made->body.landmarks.nape) < 0.018);
 }
 
@@ -137,8 +133,7 @@ void tst_Recognition::heightAboveTheGroundDoesNotMatter() {
     for (Vec3& p : lifted.vertices) p += Vec3{0.3, 0.5, -0.2};
     const auto low = recognizedBody("low", made->body.mesh), high = recognizedBody("high", lifted);
     QVERIFY(low && high);
-    QVERIFY(distance(low->landmarks.nape + Vec3{0.3, 0.5, -0.2}, high->landmarks.nape) <
-            1e-3); // one step of a search
+    QVERIFY(distance(low->landmarks.nape + Vec3{0.3, 0.5, -0.2}, high->landmarks.nape) < 1e-3); // one step of a search
     QVERIFY(distance(low->landmarks.wristLeft + Vec3{0.3, 0.5, -0.2}, high->landmarks.wristLeft) < 1e-3);
 }
 

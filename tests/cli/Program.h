@@ -20,8 +20,12 @@ struct Finished {
     [[nodiscard]] QStringList errorLines() const { return err.split('\n', Qt::SkipEmptyParts); }
 };
 
-inline QString program() { return qEnvironmentVariable("TOILE_BINARY_DIR") + "/bin/toile-cli"; }
-inline QString sample(const QString& name) { return qEnvironmentVariable("TOILE_SOURCE_DIR") + "/samples/" + name; }
+inline QString program() {
+    return qEnvironmentVariable("TOILE_BINARY_DIR") + "/bin/toile-cli";
+}
+inline QString sample(const QString& name) {
+    return qEnvironmentVariable("TOILE_SOURCE_DIR") + "/samples/" + name;
+}
 
 inline Finished run(const QStringList& arguments) {
     QProcess process;

@@ -29,7 +29,9 @@ void tst_CheckCommand::ourSamplesAreSound() {
     QVERIFY(finished.out.isEmpty());
 }
 
-void tst_CheckCommand::thereAreTwentyBrokenDocuments() { QVERIFY(brokenDocuments().size() >= 20); }
+void tst_CheckCommand::thereAreTwentyBrokenDocuments() {
+    QVERIFY(brokenDocuments().size() >= 20);
+}
 
 void tst_CheckCommand::aBrokenDocumentGivesOneLineThatNamesIt_data() {
     QTest::addColumn<QString>("file");
@@ -55,12 +57,15 @@ void tst_CheckCommand::aMissingFileIsSaid() {
 }
 
 void tst_CheckCommand::oneBrokenFileAmongSoundOnesIsEnough() {
-    const Finished finished = run({"check", sample("two-squares.toile"), sample("broken/truncated.toile"), sample("tube.toile")});
+    const Finished finished =
+        run({"check", sample("two-squares.toile"), sample("broken/truncated.toile"), sample("tube.toile")});
     QCOMPARE(finished.status, 1);
     QCOMPARE(finished.errorLines().size(), 1);
 }
 
-void tst_CheckCommand::withoutAFileTheUsageIsWrong() { QCOMPARE(run({"check"}).status, 2); }
+void tst_CheckCommand::withoutAFileTheUsageIsWrong() {
+    QCOMPARE(run({"check"}).status, 2);
+}
 
 QTEST_GUILESS_MAIN(tst_CheckCommand)
 #include "tst_CheckCommand.moc"

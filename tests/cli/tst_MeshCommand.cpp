@@ -8,13 +8,31 @@ using namespace toile;
 
 namespace {
 
-const QStringList pieceKeys{"nodes", "slaves", "quads", "triangles", "rectangles", "rectangleFraction",
-                            "minimumAngleDegrees", "maximumAngleDegrees", "inputMinimumAngleDegrees", "maximumAspect",
-                            "anglePercentilesDegrees", "neighbourSizeRatio", "grainAlignment",
-                            "areaRelativeError", "boundaryDeviation", "invertedCells", "missingBoundaryNodes",
-                            "nonManifoldEdges", "seconds", "bytes", "regions"};
+const QStringList pieceKeys{"nodes",
+                            "slaves",
+                            "quads",
+                            "triangles",
+                            "rectangles",
+                            "rectangleFraction",
+                            "minimumAngleDegrees",
+                            "maximumAngleDegrees",
+                            "inputMinimumAngleDegrees",
+                            "maximumAspect",
+                            "anglePercentilesDegrees",
+                            "neighbourSizeRatio",
+                            "grainAlignment",
+                            "areaRelativeError",
+                            "boundaryDeviation",
+                            "invertedCells",
+                            "missingBoundaryNodes",
+                            "nonManifoldEdges",
+                            "seconds",
+                            "bytes",
+                            "regions"};
 
-double number(const Json& object, const char* key) { return *object.find(key)->asNumber(); }
+double number(const Json& object, const char* key) {
+    return *object.find(key)->asNumber();
+}
 
 } // namespace
 
@@ -53,14 +71,17 @@ void tst_MeshCommand::theReportHasTheKeysThatArePromised() {
     for (const Json& piece : *json.find("pieces")->asArray()) {
         QCOMPARE(missingKeys(piece, pieceKeys + QStringList{"name"}), QString());
         for (const Json& region : *piece.find("regions")->asArray())
-            QCOMPARE(missingKeys(region, {"name", "spacing", "ratio", "cells", "displacement", "areaChange"}), QString());
+            QCOMPARE(missingKeys(region, {"name", "spacing", "ratio", "cells", "displacement", "areaChange"}),
+                     QString());
     }
     QCOMPARE(missingKeys(*json.find("total"), pieceKeys), QString());
     QCOMPARE(json.find("seams")->asArray()->size(), std::size_t(17));
     for (const Json& seam : *json.find("seams")->asArray())
-        QCOMPARE(missingKeys(seam, {"name", "countA", "countB", "lengthA", "lengthB", "ease", "largestSpacingMismatch", "equalLength", "equalCount",
-                                    "equalUnitLength"}), QString());
-    for (const Json& warning : *json.find("warnings")->asArray()) QCOMPARE(missingKeys(warning, {"place", "text"}), QString());
+        QCOMPARE(missingKeys(seam, {"name", "countA", "countB", "lengthA", "lengthB", "ease", "largestSpacingMismatch",
+                                    "equalLength", "equalCount", "equalUnitLength"}),
+                 QString());
+    for (const Json& warning : *json.find("warnings")->asArray())
+        QCOMPARE(missingKeys(warning, {"place", "text"}), QString());
 }
 
 void tst_MeshCommand::theSumOfThePiecesIsTheTotal() {

@@ -48,7 +48,8 @@ void tst_Program::saysWhatItIs() {
 void tst_Program::explainsItself() {
     const Finished finished = run({"--help"});
     QCOMPARE(finished.status, 0);
-    for (const char* command : {"check", "mesh", "sew", "avatar", "inspect", "convert"}) QVERIFY(finished.out.contains(command));
+    for (const char* command : {"check", "mesh", "sew", "avatar", "inspect", "convert"})
+        QVERIFY(finished.out.contains(command));
 }
 
 void tst_Program::wrongUsage_data() {

@@ -13,7 +13,8 @@ using Keys = std::set<QString>;
 
 /// The keys in the first columns of the tables of a page.
 Keys documentedKeys(const QString& page) {
-    const QString text = QString::fromUtf8(contentOf(qEnvironmentVariable("TOILE_SOURCE_DIR") + "/docs/formats/" + page));
+    const QString text =
+        QString::fromUtf8(contentOf(qEnvironmentVariable("TOILE_SOURCE_DIR") + "/docs/formats/" + page));
     static const QRegularExpression firstColumn("^\\| `([^`]+)` \\|", QRegularExpression::MultilineOption);
     Keys keys;
     for (auto found = firstColumn.globalMatch(text); found.hasNext();) keys.insert(found.next().captured(1));
@@ -24,7 +25,8 @@ Keys documentedKeys(const QString& page) {
 void collect(const Json& value, const QString& name, Keys& keys) {
     if (const Json::Object* members = value.asObject()) {
         for (const auto& [key, member] : *members)
-            collect(member, name.isEmpty() ? QString::fromStdString(key) : name + "." + QString::fromStdString(key), keys);
+            collect(member, name.isEmpty() ? QString::fromStdString(key) : name + "." + QString::fromStdString(key),
+                    keys);
     } else if (const Json::Array* items = value.asArray(); items && !items->empty() && items->front().asObject()) {
         for (const Json& item : *items) collect(item, name + "[]", keys);
     } else {

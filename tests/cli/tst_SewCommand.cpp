@@ -73,7 +73,8 @@ void tst_SewCommand::init() {
 }
 
 void tst_SewCommand::twoSquaresAreSewn() {
-    const Finished finished = run({"sew", sample("two-squares.toile"), "--out", in("drape.glb"), "--report", in("sew.json")});
+    const Finished finished =
+        run({"sew", sample("two-squares.toile"), "--out", in("drape.glb"), "--report", in("sew.json")});
     QVERIFY2(finished.status == 0, qPrintable(finished.err));
     QVERIFY(finished.out.contains("1 of 1 seams closed"));
     QVERIFY(contentOf(in("drape.glb")).startsWith("glTF"));
@@ -86,16 +87,22 @@ void tst_SewCommand::twoSquaresAreSewn() {
 }
 
 void tst_SewCommand::theReportHasTheKeysThatArePromised() {
-    QVERIFY(run({"sew", sample("tube.toile"), "--spacing", "40", "--seconds", "1", "--report", in("sew.json")}).status >= 0);
+    QVERIFY(
+        run({"sew", sample("tube.toile"), "--spacing", "40", "--seconds", "1", "--report", in("sew.json")}).status >=
+        0);
     const Json json = report();
-    QCOMPARE(missingKeys(json, {"document", "avatar", "method", "step", "threads", "particles", "springs", "seams", "worn",
-                                "contact", "clampedCells", "finishDisplacementMaximum", "strain", "simulatedSeconds",
-                                "cpuSeconds", "wallSeconds", "steps", "atRest", "residual", "energy", "peakBytes",
-                                "resultHash", "stages", "leftOut", "warnings"}),
+    QCOMPARE(missingKeys(json, {"document",  "avatar",           "method",       "step",
+                                "threads",   "particles",        "springs",      "seams",
+                                "worn",      "contact",          "clampedCells", "finishDisplacementMaximum",
+                                "strain",    "simulatedSeconds", "cpuSeconds",   "wallSeconds",
+                                "steps",     "atRest",           "residual",     "energy",
+                                "peakBytes", "resultHash",       "stages",       "leftOut",
+                                "warnings"}),
              QString());
     QCOMPARE(missingKeys(*json.find("springs"), {"structural", "shear", "bending", "twist"}), QString());
     for (const Json& seam : *json.find("seams")->asArray())
-        QCOMPARE(missingKeys(seam, {"name", "pairs", "initialGap", "gapAtMergeMaximum", "maximumGap", "meanGap", "merged", "closed"}),
+        QCOMPARE(missingKeys(seam, {"name", "pairs", "initialGap", "gapAtMergeMaximum", "maximumGap", "meanGap",
+                                    "merged", "closed"}),
                  QString());
     QCOMPARE(missingKeys(*json.find("worn"), {"verdict", "openings", "rightSideOut", "landmarks"}), QString());
     QCOMPARE(missingKeys(*json.find("contact"), {"bodyPenetrationMaximum", "bodyClearanceMinimum", "selfIntersections",
@@ -125,14 +132,19 @@ void tst_SewCommand::whatIsNotThereIsNull() {
 
 void tst_SewCommand::everyDrapeFormatIsWritten() {
     for (const char* file : {"drape.glb", "drape.obj", "drape.ply", "drape.stl"}) {
-        QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--out", in(file)}).status, 3); // not sewn yet
+        QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--out", in(file)}).status,
+                 3); // not sewn yet
         QVERIFY2(contentOf(in(file)).size() > 1000, file);
     }
 }
 
 void tst_SewCommand::framesAreKeptAsAPointCacheOrAFolder() {
-    QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("cache.pc2")}).status, 3); // not sewn yet
-    QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("frames"), "--out", in("drape.obj")}).status, 3);
+    QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("cache.pc2")}).status,
+             3); // not sewn yet
+    QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("frames"), "--out",
+                  in("drape.obj")})
+                 .status,
+             3);
     const QStringList frames = QDir(in("frames")).entryList(QDir::Files);
     QCOMPARE(frames.size(), 7); // the start and six steps
     QCOMPARE(contentOf(in("frames") + "/frame-00006.obj"), contentOf(in("drape.obj")));
@@ -148,7 +160,8 @@ void tst_SewCommand::framesOfAnotherRunAreNotMixedIn() {
 }
 
 void tst_SewCommand::aPictureIsNotBlank() {
-    const Finished finished = run({"sew", "--picture", in("front.png") + "," + in("back.png"), sample("two-squares.toile"), "--seconds", "3"});
+    const Finished finished = run(
+        {"sew", "--picture", in("front.png") + "," + in("back.png"), sample("two-squares.toile"), "--seconds", "3"});
     QVERIFY2(finished.status == 0, qPrintable(finished.err));
     QVERIFY(coloursIn(in("front.png")) > 100); // shaded cloth before a ground that is no plain colour
     QVERIFY(coloursIn(in("back.png")) > 100);
@@ -172,7 +185,8 @@ void tst_SewCommand::quietSaysNothing() {
 
 void tst_SewCommand::aSeamHeldOpenIsAGoalMissed() {
     const QString document = squaresWith(box(0.05, 2.0));
-    const Finished finished = run({"sew", document, "--limit", "6", "--out", in("drape.glb"), "--report", in("sew.json"), "--quiet"});
+    const Finished finished =
+        run({"sew", document, "--limit", "6", "--out", in("drape.glb"), "--report", in("sew.json"), "--quiet"});
     QCOMPARE(finished.status, 3);
     QVERIFY(finished.out.contains("0 of 1 seams closed"));
     QVERIFY(finished.err.contains("seam \"middle\": The seam is not closed; its gap is 5"));
@@ -213,8 +227,12 @@ void tst_SewCommand::everyMethodDrapesWhatXpbdHasSewn_data() {
 
 void tst_SewCommand::everyMethodDrapesWhatXpbdHasSewn() {
     QFETCH(QString, method);
-    QStringList arguments{"sew", sample("two-squares.toile"), "--spacing", "50", "--method", method, "--quiet", "--report", in("sew.json")};
-    if (method != "static") arguments << "--seconds" << "0.8";
+    QStringList arguments{
+        "sew",         sample("two-squares.toile"), "--spacing", "50", "--method", method, "--quiet", "--report",
+        in("sew.json")};
+    if (method != "static")
+        arguments << "--seconds"
+                  << "0.8";
     const Finished finished = run(arguments);
     QVERIFY2(finished.status == 0 || finished.status == 3, qPrintable(finished.err));
     const Json json = report();
@@ -235,8 +253,8 @@ void tst_SewCommand::staticsKnowsNoTime() {
 }
 
 void tst_SewCommand::moreThreadsAreAnsweredHonestly() {
-    const Finished finished =
-        run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--threads", "3", "--quiet", "--report", in("sew.json")});
+    const Finished finished = run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--threads", "3", "--quiet",
+                                   "--report", in("sew.json")});
     QVERIFY(finished.err.contains("--threads: This version computes on one thread."));
     QCOMPARE(*report().find("threads")->asNumber(), 1.0);
 }
@@ -260,7 +278,8 @@ void tst_SewCommand::aBrokenDocumentIsRefused() {
 void tst_SewCommand::anInterruptLeavesNothingBehind() {
     QProcess process; // a garment that takes minutes
     process.setReadChannel(QProcess::StandardError);
-    process.start(program(), {"sew", sample("blouse.toile"), "--spacing", "10", "--out", in("drape.glb"), "--report", in("sew.json")});
+    process.start(program(), {"sew", sample("blouse.toile"), "--spacing", "10", "--out", in("drape.glb"), "--report",
+                              in("sew.json")});
     QVERIFY(process.waitForReadyRead(60000)); // its first word of progress
     ::kill(static_cast<pid_t>(process.processId()), SIGINT);
     QVERIFY(process.waitForFinished(60000));

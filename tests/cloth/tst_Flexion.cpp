@@ -46,8 +46,7 @@ std::vector<Vec3> bent(const Patch& patch, double curvature) {
 /// Moment of the bent strip times its length: dE/dκ [N·m²].
 double momentAt(const ClothModel& model, const Patch& patch, double curvature) {
     const double d = 1e-3 * curvature;
-    return (cloth::energy(model, bent(patch, curvature + d)) -
-            cloth::energy(model, bent(patch, curvature - d))) /
+    return (cloth::energy(model, bent(patch, curvature + d)) - cloth::energy(model, bent(patch, curvature - d))) /
            (2 * d);
 }
 
@@ -83,8 +82,7 @@ private slots:
         const auto report = cloth::flexionInsteadOfBending(springs, wanted);
         QCOMPARE(report.dropped, 0);
         for (const auto& spring : springs.flexion)
-            QVERIFY(std::abs(distance(patch.material[spring.a], patch.material[spring.b]) -
-                             spring.restLength) < 1e-15);
+            QVERIFY(std::abs(distance(patch.material[spring.a], patch.material[spring.b]) - spring.restLength) < 1e-15);
     }
 
     void whatIsNoLineIsDroppedAndCounted() {

@@ -195,7 +195,8 @@ private slots:
             }
             const double bound = cloth::largestFrequencySquared(model);
             QVERIFY(bound >= frequencySquared * (1 - 1e-9));
-            QVERIFY2(bound < 6 * frequencySquared, qPrintable(QString::number(bound / frequencySquared))); // and is of use
+            QVERIFY2(bound < 6 * frequencySquared,
+                     qPrintable(QString::number(bound / frequencySquared))); // and is of use
         }
     }
 

@@ -77,7 +77,7 @@ private slots:
         const ClothModel model = modelOf(gridPatch(evenLines(0.03, 3), evenLines(0.02, 2)), wovenFabric());
         QCOMPARE(int(model.structural.size()), 3 * 3 + 4 * 2);
         QCOMPARE(int(model.shear.size()), 2 * 6);
-        QCOMPARE(int(model.twist.size()), 6); // 4·22 − 30 − 20 > 0
+        QCOMPARE(int(model.twist.size()), 6);               // 4·22 − 30 − 20 > 0
         QCOMPARE(int(model.bending.size()), 2 * 3 + 4 * 1); // inner nodes of three rows and four columns
     }
 
@@ -161,7 +161,8 @@ private slots:
         const double inner = (0.04 - 0.5 * (0.01 + h)) * 0.04;
         const double expected = 0.5 * fabric.warpBending * 0.1 * 0.1 * inner;
         const double measured = bendingEnergy(modelOf(patch, fabric), bent(patch, 0.1, std::numbers::pi / 2));
-        QVERIFY2(std::abs(measured - expected) < 1e-9 * expected, qPrintable(QString("%1 of %2").arg(measured).arg(expected)));
+        QVERIFY2(std::abs(measured - expected) < 1e-9 * expected,
+                 qPrintable(QString("%1 of %2").arg(measured).arg(expected)));
     }
 
     void rigidMotionsBendNothing() {
@@ -208,12 +209,18 @@ private slots:
     }
 
     void aSeamHingeIsAsStiffAsARowOfRectangles() {
-        const cloth::SeamEdge edge{.particles = {0, 1, 2, 3}, .length = 0.01, .heightC = 0.02, .heightD = 0.03,
-                                   .bending = 20e-6, .restAngle = 0};
+        const cloth::SeamEdge edge{.particles = {0, 1, 2, 3},
+                                   .length = 0.01,
+                                   .heightC = 0.02,
+                                   .heightD = 0.03,
+                                   .bending = 20e-6,
+                                   .restAngle = 0};
         ClothModel model;
         model.hinges = {cloth::seamHinge(edge)};
         const double angle = 0.01, half = angle / 2;
-        const std::vector<Vec3> x{{0, 0, 0}, {0, 0.01, 0}, {-0.02 * std::cos(half), 0.005, 0.02 * std::sin(half)},
+        const std::vector<Vec3> x{{0, 0, 0},
+                                  {0, 0.01, 0},
+                                  {-0.02 * std::cos(half), 0.005, 0.02 * std::sin(half)},
                                   {0.03 * std::cos(half), 0.005, 0.03 * std::sin(half)}};
         // ½·B·width·(l₁ + l₂)/2·κ² with κ = 2θ/(l₁ + l₂); lifting both sides closes the right side: θ > 0
         const double expected = 0.5 * 20e-6 * 0.01 * 0.025 * std::pow(angle / 0.025, 2);

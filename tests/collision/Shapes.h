@@ -34,8 +34,7 @@ geometry::TriangleMesh starBody(int rings, int sectors, const Radius& radius) {
     };
     add(0, 0);
     for (int r = 1; r < rings; ++r)
-        for (int s = 0; s < sectors; ++s)
-            add(std::numbers::pi * r / rings, 2 * std::numbers::pi * s / sectors);
+        for (int s = 0; s < sectors; ++s) add(std::numbers::pi * r / rings, 2 * std::numbers::pi * s / sectors);
     add(std::numbers::pi, 0);
     const int south = static_cast<int>(mesh.vertices.size()) - 1;
     const auto at = [&](int r, int s) { return 1 + (r - 1) * sectors + s % sectors; };
@@ -61,8 +60,7 @@ inline geometry::TriangleMesh plane(double halfSize, int cells, double height = 
     geometry::TriangleMesh mesh;
     for (int i = 0; i <= cells; ++i)
         for (int j = 0; j <= cells; ++j)
-            mesh.vertices.push_back(
-                {halfSize * (2.0 * i / cells - 1), height, halfSize * (2.0 * j / cells - 1)});
+            mesh.vertices.push_back({halfSize * (2.0 * i / cells - 1), height, halfSize * (2.0 * j / cells - 1)});
     const auto at = [&](int i, int j) { return i * (cells + 1) + j; };
     for (int i = 0; i < cells; ++i)
         for (int j = 0; j < cells; ++j) {

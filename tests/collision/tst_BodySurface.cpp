@@ -47,9 +47,11 @@ double sampledDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
 double bruteDistance(const TriangleMesh& mesh, const Vec3& p) {
     double best = anywhere;
     for (const auto& t : mesh.triangles)
-        best = std::min(best, distance(p, collision::closestOnTriangle(p, mesh.vertices[t[0]], mesh.vertices[t[1]],
-                                                                       mesh.vertices[t[2]])
-                                              .point));
+        best = std::min(
+            best,
+            distance(
+                p,
+                collision::closestOnTriangle(p, mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]).point));
     return best;
 }
 
@@ -178,12 +180,13 @@ void tst_BodySurface::theNormalIsTheGradientOfTheDistance() {
             Vec3 more = p, less = p;
             more[axis] += step;
             less[axis] -= step;
-            gradient[axis] = (surface.nearest(more, anywhere)->signedDistance -
-                              surface.nearest(less, anywhere)->signedDistance) / (2 * step);
+            gradient[axis] =
+                (surface.nearest(more, anywhere)->signedDistance - surface.nearest(less, anywhere)->signedDistance) /
+                (2 * step);
         }
         QVERIFY(std::abs(length(at->normal) - 1) < 1e-12);
         if (std::abs(length(gradient) - 1) > 1e-3) continue; // two parts of the surface are equally near
-        QVERIFY(distance(at->normal, gradient) < 1e-3); // curvature of the distance at an edge: step / distance
+        QVERIFY(distance(at->normal, gradient) < 1e-3);      // curvature of the distance at an edge: step / distance
         ++compared;
     }
     QVERIFY(compared > 900);

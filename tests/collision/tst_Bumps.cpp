@@ -17,8 +17,8 @@ geometry::TriangleMesh ball(double radius) {
     for (int i = 0; i <= bands; ++i)
         for (int k = 0; k < around; ++k) {
             const double up = std::numbers::pi * i / bands, turn = 2 * std::numbers::pi * k / around;
-            mesh.vertices.push_back(
-                Vec3{std::sin(up) * std::sin(turn), -std::cos(up), std::sin(up) * std::cos(turn)} * radius);
+            mesh.vertices.push_back(Vec3{std::sin(up) * std::sin(turn), -std::cos(up), std::sin(up) * std::cos(turn)} *
+                                    radius);
         }
     for (int i = 0; i < bands; ++i)
         for (int k = 0; k < around; ++k) {
@@ -50,7 +50,9 @@ private slots:
     void aHollowIsNone();
 };
 
-void tst_Bumps::aSmallBallIsABump() { QVERIFY(shareOfBumps(ball(0.008)) > 0.9); }
+void tst_Bumps::aSmallBallIsABump() {
+    QVERIFY(shareOfBumps(ball(0.008)) > 0.9);
+}
 
 void tst_Bumps::aLargerBallIsNone() {
     QVERIFY(shareOfBumps(ball(0.04)) < 0.1);

@@ -17,7 +17,9 @@ using Nine = std::array<double, 9>;
 
 namespace {
 
-TriangleMesh triangle(const Vec3& a, const Vec3& b, const Vec3& c) { return {{a, b, c}, {{0, 1, 2}}}; }
+TriangleMesh triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return {{a, b, c}, {{0, 1, 2}}};
+}
 
 bool meet(const TriangleMesh& a, const TriangleMesh& b) {
     const bool found = !intersectingTriangles(a, b).empty();
@@ -83,9 +85,7 @@ void tst_Intersections::crossingTrianglesMeetAndPartedOnesDoNot() {
 void tst_Intersections::touchingCounts_data() {
     QTest::addColumn<Nine>("other");
     QTest::addColumn<bool>("expected");
-    const auto row = [](const char* what, Nine other, bool expected) {
-        QTest::newRow(what) << other << expected;
-    };
+    const auto row = [](const char* what, Nine other, bool expected) { QTest::newRow(what) << other << expected; };
     row("corner on the inside", {0.25, 0, 0.25, 0.25, 1, 0.25, 0.5, 1, 0.25}, true);
     row("corner on an edge", {0.5, 0, 0, 0.5, 1, 0, 0.75, 1, 0}, true);
     row("corner on a corner", {1, 0, 0, 1, 1, 0, 2, 1, 0}, true);

@@ -19,10 +19,8 @@ std::vector<TriangleIndices> sheetTriangles(int n) {
     for (int r = 0; r + 1 < n; ++r)
         for (int c = 0; c + 1 < n; ++c) {
             const int i = r * n + c;
-            if ((r + c) % 2)
-                triangles.insert(triangles.end(), {{i, i + 1, i + n}, {i + 1, i + n + 1, i + n}});
-            else
-                triangles.insert(triangles.end(), {{i, i + 1, i + n + 1}, {i, i + n + 1, i + n}});
+            if ((r + c) % 2) triangles.insert(triangles.end(), {{i, i + 1, i + n}, {i + 1, i + n + 1, i + n}});
+            else triangles.insert(triangles.end(), {{i, i + 1, i + n + 1}, {i, i + n + 1, i + n}});
         }
     return triangles;
 }
@@ -37,8 +35,7 @@ std::vector<Vec3> flatSheet(int n, double spacing) {
 std::vector<Vec3> scattered(std::size_t count, double size, std::mt19937& random) {
     std::uniform_real_distribution<double> somewhere(-size, size);
     std::vector<Vec3> points;
-    for (std::size_t i = 0; i < count; ++i)
-        points.push_back({somewhere(random), somewhere(random), somewhere(random)});
+    for (std::size_t i = 0; i < count; ++i) points.push_back({somewhere(random), somewhere(random), somewhere(random)});
     return points;
 }
 
@@ -103,10 +100,8 @@ double leastDistanceOnGrid(const ElementPair& pair, const std::vector<Vec3>& x) 
     for (int i = 0; i <= steps; ++i)
         for (int k = 0; k <= steps; ++k) {
             const double s = double(i) / steps, t = double(k) / steps;
-            if (pair.firstCount == 2)
-                least = std::min(least, distance(lerp(x[a], x[b], s), lerp(x[c], x[d], t)));
-            else if (s + t <= 1)
-                least = std::min(least, distance(x[a], x[b] * (1 - s - t) + x[c] * s + x[d] * t));
+            if (pair.firstCount == 2) least = std::min(least, distance(lerp(x[a], x[b], s), lerp(x[c], x[d], t)));
+            else if (s + t <= 1) least = std::min(least, distance(x[a], x[b] * (1 - s - t) + x[c] * s + x[d] * t));
         }
     return least;
 }
@@ -179,8 +174,7 @@ void tst_SelfProximity::findsWhatBruteForceFinds() {
             if (separationOf(pair, x).distance <= reach) expected.push_back(canonical(pair));
         std::ranges::sort(expected);
         QVERIFY(!expected.empty());
-        QVERIFY2(canonical(proximity.pairsWithin(reach, x, {})) == expected,
-                 qPrintable(QString("seed %1").arg(seed)));
+        QVERIFY2(canonical(proximity.pairsWithin(reach, x, {})) == expected, qPrintable(QString("seed %1").arg(seed)));
     }
 }
 
@@ -204,8 +198,7 @@ void tst_SelfProximity::findsEveryPairThatMeetsOnTheWay() {
                 if (separationOf(pair, there).distance <= reach) meeting.insert(canonical(pair));
         }
         QVERIFY(std::ranges::includes(found, meeting));
-        QVERIFY(found.size() <
-                pairs.size() / 2); // and not simply all: what they do together brings nothing nearer
+        QVERIFY(found.size() < pairs.size() / 2); // and not simply all: what they do together brings nothing nearer
     }
 }
 
@@ -232,8 +225,7 @@ void tst_SelfProximity::piercingsAreThoseOfTheReferee() {
                 const auto& [p, q] = proximity.edges()[edge].vertices;
                 const auto& corners = triangles[t];
                 if (std::ranges::count(corners, p) && std::ranges::count(corners, q) &&
-                    apart({corners.begin(), corners.end()},
-                          {triangles[triangle].begin(), triangles[triangle].end()}))
+                    apart({corners.begin(), corners.end()}, {triangles[triangle].begin(), triangles[triangle].end()}))
                     met.insert(std::minmax(static_cast<int>(t), triangle));
             }
         const auto expected = selfIntersectingTriangles({x, triangles});

@@ -54,7 +54,9 @@ void tst_DocumentEdits::anEditThatFailsChangesNothing() {
 void tst_DocumentEdits::idsAreNotReusedAfterADeletion() {
     const Document once = *withImage(sample());
     const Document without = *edited(once, [](const Pattern& pattern, IdSource&) -> Result<Pattern> {
-        return pattern::deletePiece(pattern, pattern::PieceId("p30")).map([](const pattern::Edited& e) { return e.pattern; });
+        return pattern::deletePiece(pattern, pattern::PieceId("p30")).map([](const pattern::Edited& e) {
+            return e.pattern;
+        });
     });
     QCOMPARE(withImage(without)->pattern.pieces.back()->id, pattern::PieceId("p31"));
 }

@@ -54,7 +54,9 @@ struct World {
 };
 
 /// Gravity as felt on a slope that falls towards +x, with the plane kept level.
-inline Vec3 slope(double angle) { return {gravity * std::sin(angle), -gravity * std::cos(angle), 0}; }
+inline Vec3 slope(double angle) {
+    return {gravity * std::sin(angle), -gravity * std::cos(angle), 0};
+}
 
 constexpr double degrees = std::numbers::pi / 180;
 

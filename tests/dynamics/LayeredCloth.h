@@ -19,16 +19,14 @@ struct Cloth {
     dynamics::ClothSurface surface;
 
     [[nodiscard]] int intersections() const {
-        return static_cast<int>(
-            collision::selfIntersectingTriangles({state.positions, surface.triangles}).size());
+        return static_cast<int>(collision::selfIntersectingTriangles({state.positions, surface.triangles}).size());
     }
 };
 
 /// Appends a sheet of columns × rows cells; `place` says where a point of its plane lies. Returns its first
 /// particle.
 template <class Place>
-int append(Cloth& cloth, double width, int columns, double height, int rows, double friction,
-           const Place& place) {
+int append(Cloth& cloth, double width, int columns, double height, int rows, double friction, const Place& place) {
     const int first = cloth.model.particleCount();
     auto patch = fixtures::gridPatch(fixtures::evenLines(width, columns), fixtures::evenLines(height, rows));
     for (int& particle : patch.particles) particle += first;

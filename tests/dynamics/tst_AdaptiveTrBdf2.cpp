@@ -39,8 +39,7 @@ class tst_AdaptiveTrBdf2 : public QObject {
 private slots:
     void aTighterToleranceGivesASmallerErrorForMoreParts() {
         const Flap sheet = flap(8, 100);
-        const After exact = fallen(sheet, 1e-7, 12), coarse = fallen(sheet, 1e-3, 12),
-                    fine = fallen(sheet, 1e-5, 12);
+        const After exact = fallen(sheet, 1e-7, 12), coarse = fallen(sheet, 1e-3, 12), fine = fallen(sheet, 1e-5, 12);
         const double coarseError = rmsDistance(sheet.model, coarse.positions, exact.positions);
         const double fineError = rmsDistance(sheet.model, fine.positions, exact.positions);
         QVERIFY(fine.report.parts > 2 * coarse.report.parts);
@@ -80,8 +79,8 @@ private slots:
         const Flap sheet = flap(8, 100);
         const auto partsOf = [&](double tolerance) {
             dynamics::ParticleState state = sheet.state;
-            const auto integrator = dynamics::makeIntegrator(dynamics::Method::trBdf2, sheet.model,
-                                                             {.positionTolerance = tolerance});
+            const auto integrator =
+                dynamics::makeIntegrator(dynamics::Method::trBdf2, sheet.model, {.positionTolerance = tolerance});
             int parts = 0;
             for (int i = 0; i < 12; ++i) {
                 const auto step = integrator->step(state, 1.0 / 30, gravity);

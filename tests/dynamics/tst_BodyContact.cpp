@@ -213,8 +213,8 @@ void tst_BodyContact::aSampleBetweenParticlesIsHeldOut() {
     World world({{-0.02, 0.05, -0.02}, {0.02, 0.05, -0.02}, {0.02, 0.05, 0.02}, {-0.02, 0.05, 0.02}});
     std::vector<ContactSample> samples;
     for (int i = 0; i < 4; ++i) samples.push_back(sampleAt(i, 0.3));
-    const ContactSample middle = dynamics::middleOf(std::array<const ContactSample*, 4>{
-        &samples[0], &samples[1], &samples[2], &samples[3]});
+    const ContactSample middle =
+        dynamics::middleOf(std::array<const ContactSample*, 4>{&samples[0], &samples[1], &samples[2], &samples[3]});
     QCOMPARE(middle.mass, 2e-5);
     samples.push_back(middle);
     BodyContact contact(limb, samples);

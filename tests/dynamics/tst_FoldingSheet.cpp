@@ -40,8 +40,7 @@ collision::BodySurface floorAt(double height) {
 }
 
 dynamics::BodyContact contactOf(const Cloth& cloth, const collision::BodySurface& body) {
-    return {body,
-            dynamics::particleSamples(cloth.model, cloth.surface.halfThickness, cloth.surface.friction, 0.3)};
+    return {body, dynamics::particleSamples(cloth.model, cloth.surface.halfThickness, cloth.surface.friction, 0.3)};
 }
 
 } // namespace
@@ -82,8 +81,7 @@ void tst_FoldingSheet::withoutSelfContactItDoes() {
 void tst_FoldingSheet::aSheetOverASmallBallNeverMeetsItself() {
     Cloth cloth;
     append(cloth, 0.6, 30, 0.6, 30, 0.3, [](const Vec2& m) { return Vec3{m.x - 0.3, 0.1, 0.27 - m.y}; });
-    const auto ball =
-        *collision::BodySurface::create(shapes::starBody(16, 24, [](const Vec3&) { return 0.05; }));
+    const auto ball = *collision::BodySurface::create(shapes::starBody(16, 24, [](const Vec3&) { return 0.05; }));
     auto onBall = contactOf(cloth, ball);
     dynamics::SelfContact self(cloth.model, cloth.surface);
     Stage* stages[]{&onBall, &self};

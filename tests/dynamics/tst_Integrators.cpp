@@ -26,8 +26,7 @@ struct Cloth {
 
 ClothModel modelOf(const Patch& patch, const Fabric& fabric) {
     ClothModel model;
-    if (auto report = cloth::appendPatch(model, patch, fabric); !report)
-        qFatal("%s", toString(report.error()).c_str());
+    if (auto report = cloth::appendPatch(model, patch, fabric); !report) qFatal("%s", toString(report.error()).c_str());
     return model;
 }
 
@@ -51,8 +50,7 @@ Cloth oneParticle() {
 
 void run(Integrator& integrator, ParticleState& state, int steps, double h, const Vec3& g = gravity) {
     for (int i = 0; i < steps; ++i)
-        if (const auto done = integrator.step(state, h, g); !done)
-            qFatal("%s", toString(done.error()).c_str());
+        if (const auto done = integrator.step(state, h, g); !done) qFatal("%s", toString(done.error()).c_str());
 }
 
 /// A method, and the tolerance of its positions if its steps are adapted.
@@ -61,8 +59,7 @@ struct Way {
     double positionTolerance = 0;
 };
 
-std::unique_ptr<Integrator> made(const Way& way, const ClothModel& model,
-                                 dynamics::IntegratorSettings settings) {
+std::unique_ptr<Integrator> made(const Way& way, const ClothModel& model, dynamics::IntegratorSettings settings) {
     settings.positionTolerance = way.positionTolerance;
     return dynamics::makeIntegrator(way.method, model, settings);
 }
@@ -107,8 +104,7 @@ private slots:
         const auto integrator = made(way, c.model, {.damping = 0, .tolerance = tight});
         const Vec3 before = momentum(c.model, c.state);
         double scale = 0;
-        for (std::size_t p = 0; p < c.model.mass.size(); ++p)
-            scale += c.model.mass[p] * length(c.state.velocities[p]);
+        for (std::size_t p = 0; p < c.model.mass.size(); ++p) scale += c.model.mass[p] * length(c.state.velocities[p]);
         run(*integrator, c.state, 10, 1.0 / 120, {});
         // explicit: rounding; implicit: what Newton leaves of the forces, 1e-10 of a weight for a twelfth of
         // a second
@@ -196,8 +192,7 @@ private slots:
         const auto errorAt = [&](int steps) {
             Cloth c = oneParticle();
             c.state.velocities[0] = {1, 0, 0};
-            const auto integrator =
-                made(way, c.model, {.damping = damping, .substeps = 1, .tolerance = 1e-14});
+            const auto integrator = made(way, c.model, {.damping = damping, .substeps = 1, .tolerance = 1e-14});
             run(*integrator, c.state, steps, time / steps, {});
             return std::abs(c.state.velocities[0].x - std::exp(-damping * time));
         };
@@ -211,8 +206,8 @@ private slots:
         QFETCH(Way, way);
         Cloth c = sheet({0});
         const auto integrator = made(way, c.model, {});
-        for (const double duration : {0.0, -0.01, 1e9, std::numeric_limits<double>::infinity(),
-                                      std::numeric_limits<double>::quiet_NaN()}) {
+        for (const double duration :
+             {0.0, -0.01, 1e9, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
             const auto before = c.state.positions;
             const auto refused = integrator->step(c.state, duration, gravity);
             QVERIFY(!refused && refused.error().code == ErrorCode::invalidInput);
@@ -243,8 +238,7 @@ private slots:
         Cloth c = sheet({0});
         const auto before = c.state.positions;
         const auto integrator = made(way, c.model, {});
-        const auto refused =
-            integrator->step(c.state, 1.0 / 60, {0, std::numeric_limits<double>::quiet_NaN(), 0});
+        const auto refused = integrator->step(c.state, 1.0 / 60, {0, std::numeric_limits<double>::quiet_NaN(), 0});
         QVERIFY(!refused && refused.error().code == ErrorCode::notConverged);
         QCOMPARE(c.state.positions, before);
     }

@@ -130,8 +130,7 @@ void tst_SelfContact::aboveItItSlidesAsTheConeSays() {
     run.frames(15, {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0});
     const double expected = 0.5 * 9.81 * (std::sin(angle) - 0.2 * std::cos(angle)) * time * time;
     // Layers touch at corners and edges, whose shortest ways are not quite upright: a tenth.
-    QVERIFY2(std::abs(meanX(cloth) - expected) < 0.1 * expected,
-             qPrintable(QString::number(meanX(cloth) / expected)));
+    QVERIFY2(std::abs(meanX(cloth) - expected) < 0.1 * expected, qPrintable(QString::number(meanX(cloth) / expected)));
 }
 
 void tst_SelfContact::whatIsApartIsNotTouched() {
@@ -141,8 +140,7 @@ void tst_SelfContact::whatIsApartIsNotTouched() {
     dynamics::Xpbd xpbd(free.model, {.damping = 0});
     for (int f = 0; f < 3; ++f) QVERIFY(xpbd.step(free.state, frame, 20, gravity, {}));
     QVERIFY(cloth.state.positions == free.state.positions);
-    QVERIFY(run.contact.searches() <=
-            3); // once a frame step: the ways are foreseen, all but what gravity adds
+    QVERIFY(run.contact.searches() <= 3); // once a frame step: the ways are foreseen, all but what gravity adds
     QCOMPARE(run.contact.nearPairs(), std::size_t(0));
 }
 
@@ -177,11 +175,8 @@ void tst_SelfContact::momentumIsKeptWhenLayersMeet() {
 }
 
 void tst_SelfContact::layersThatHaveCrossedAreDrawnApart() {
-    Cloth
-        cloth; // two sheets that overlap by a cell and a half at their borders, and slope through each other
-    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) {
-        return Vec3{m.x - 0.1, 0.1 * (m.x - 0.09), -m.y};
-    });
+    Cloth cloth; // two sheets that overlap by a cell and a half at their borders, and slope through each other
+    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) { return Vec3{m.x - 0.1, 0.1 * (m.x - 0.09), -m.y}; });
     append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) {
         return Vec3{m.x - 0.015, -0.1 * (m.x - 0.008), -0.003 - m.y};
     });
@@ -248,8 +243,7 @@ void tst_SelfContact::slavesOfTwoRegionsAreHeldToo() {
         QCOMPARE(cloth.intersections(), 0);
         for (const cloth::Slave& slave : cloth.model.slaves) {
             Vec3 place;
-            for (const auto& [master, weight] : slave.masters)
-                place += weight * cloth.state.positions[master];
+            for (const auto& [master, weight] : slave.masters) place += weight * cloth.state.positions[master];
             QVERIFY(geometry::distance(place, cloth.state.positions[slave.particle]) < 1e-12);
         }
     }

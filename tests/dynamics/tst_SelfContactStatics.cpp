@@ -123,8 +123,7 @@ void tst_SelfContactStatics::theHessianIsTheCurvatureAcrossTheLayersAndNeverNega
         constexpr double step = 1e-7;
         auto more = x, less = x;
         for (int p = 4; p < 8; ++p) more[p].y += step, less[p].y -= step;
-        const double curvature =
-            (contact.energy(more) - 2 * contact.energy(x) + contact.energy(less)) / (step * step);
+        const double curvature = (contact.energy(more) - 2 * contact.energy(x) + contact.energy(less)) / (step * step);
         QVERIFY2(std::abs(sink.quadratic(apart) - curvature) < 0.05 * curvature,
                  qPrintable(QString("%1 %2").arg(sink.quadratic(apart)).arg(curvature)));
     }

@@ -84,8 +84,7 @@ private slots:
         QFETCH(bool, triangles);
         Sheet s = sheet(knit ? knitFabric() : wovenFabric(), 0.5, 20, triangles);
         dynamics::Xpbd xpbd(s.model, {.damping = 3});
-        for (int frame = 0; frame < 120; ++frame)
-            QVERIFY(xpbd.step(s.state, 1.0 / 60, 20, gravity, {}));
+        for (int frame = 0; frame < 120; ++frame) QVERIFY(xpbd.step(s.state, 1.0 / 60, 20, gravity, {}));
         const auto report = dynamics::solveStatic(s.model, s.state, gravity, {});
         QVERIFY2(report, report ? "" : toString(report.error()).c_str());
         QVERIFY(report->newton.converged);

@@ -23,14 +23,17 @@ struct Cloth {
 
 Cloth horizontal(const Patch& patch, const Fabric& fabric, std::vector<int> pinned) {
     Cloth c;
-    if (auto report = cloth::appendPatch(c.model, patch, fabric); !report) qFatal("%s", toString(report.error()).c_str());
+    if (auto report = cloth::appendPatch(c.model, patch, fabric); !report)
+        qFatal("%s", toString(report.error()).c_str());
     c.model.pinned = std::move(pinned);
     for (const Vec3& p : flatPositions(patch)) c.state.positions.push_back({p.x, 0, p.y});
     c.state.velocities.resize(c.state.positions.size());
     return c;
 }
 
-Patch square(int cells) { return gridPatch(evenLines(0.2, cells), evenLines(0.2, cells)); }
+Patch square(int cells) {
+    return gridPatch(evenLines(0.2, cells), evenLines(0.2, cells));
+}
 
 /// Pulls one particle to a place in every substep.
 struct Hand : dynamics::Stage {
@@ -41,7 +44,9 @@ struct Hand : dynamics::Stage {
     void beginStep(const ParticleState&, double) override {}
     void project(dynamics::Substep& substep) override { substep.positions[particle] = place; }
     void beginIteration(std::span<const Vec3>) override {}
-    double energy(std::span<const Vec3> x) const override { return 0.5 * stiffness * squaredLength(x[particle] - place); }
+    double energy(std::span<const Vec3> x) const override {
+        return 0.5 * stiffness * squaredLength(x[particle] - place);
+    }
     void addForces(std::span<const Vec3> x, std::span<Vec3> forces) const override {
         forces[particle] -= stiffness * (x[particle] - place);
     }
@@ -102,8 +107,11 @@ private slots:
             for (int i = 0; i < 5; ++i) // across the rows, as after a merge
                 for (int j = 1; j < 5; ++j) {
                     const int a = j * 6 + i;
-                    c.model.hinges.push_back(cloth::seamHinge({.particles = {a, a + 1, a + 6, a - 6}, .length = 0.02,
-                                                               .heightC = 0.02, .heightD = 0.02, .bending = 2e-4,
+                    c.model.hinges.push_back(cloth::seamHinge({.particles = {a, a + 1, a + 6, a - 6},
+                                                               .length = 0.02,
+                                                               .heightC = 0.02,
+                                                               .heightD = 0.02,
+                                                               .bending = 2e-4,
                                                                .restAngle = 0.02}));
                 }
         }

@@ -66,7 +66,8 @@ double distanceToPolyline(const std::vector<Vec2>& points, Vec2 p) {
 
 void tst_Curve::addCurves() {
     QTest::addColumn<int>("number");
-    const char* names[] = {"a line", "an S of Bézier", "a loop of Bézier", "a quarter circle", "an arc to the right", "a large arc"};
+    const char* names[] = {"a line",           "an S of Bézier",      "a loop of Bézier",
+                           "a quarter circle", "an arc to the right", "a large arc"};
     for (int i = 0; i < 6; ++i) QTest::newRow(names[i]) << i;
 }
 
@@ -106,7 +107,8 @@ void tst_Curve::lengthsOfPartsAddUp() {
 void tst_Curve::reversedRunsBackwards() {
     QFETCH(int, number);
     const Curve curve = curveNumber(number);
-    for (int i = 0; i <= 10; ++i) QVERIFY(distance(pointAt(reversed(curve), 0.1 * i), pointAt(curve, 1 - 0.1 * i)) < 1e-14);
+    for (int i = 0; i <= 10; ++i)
+        QVERIFY(distance(pointAt(reversed(curve), 0.1 * i), pointAt(curve, 1 - 0.1 * i)) < 1e-14);
     QVERIFY(reversed(reversed(curve)) == curve);
 }
 

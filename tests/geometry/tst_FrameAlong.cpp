@@ -57,8 +57,7 @@ void tst_FrameAlong::onAnArcItStandsSquareAndDoesNotTurnAboutTheLine() {
     for (const double share : {0.0, 0.31, 0.5, 0.87, 1.0}) {
         const Transform frame = frameAlong(line, share * arcLength(line), front);
         const double a = share * angle;
-        constexpr double chords =
-            3e-3; // a direction at the ends is that of a chord: half a part off, 0.0025 rad
+        constexpr double chords = 3e-3; // a direction at the ends is that of a chord: half a part off, 0.0025 rad
         QVERIFY(distance(frame.axisY, {0, std::cos(a), std::sin(a)}) < chords);
         QVERIFY(distance(frame.axisX, {1, 0, 0}) < 1e-12);
         QVERIFY(std::abs(dot(frame.axisY, frame.axisZ)) < 1e-12);

@@ -20,7 +20,8 @@ inline document::Document everyField() {
     front.rule = LineRule::features;
     front.border = RegionBorder::exact;
     front.tablePosition = {0.5, -0.25};
-    front.outline.vertices = {{VertexId("v1"), {0, 0}}, {VertexId("v2"), {0.3, 0}}, {VertexId("v3"), {0.3, 0.4}}, {VertexId("v4"), {0, 0.4}}};
+    front.outline.vertices = {
+        {VertexId("v1"), {0, 0}}, {VertexId("v2"), {0.3, 0}}, {VertexId("v3"), {0.3, 0.4}}, {VertexId("v4"), {0, 0.4}}};
     front.outline.edges = {{EdgeId("e1"), geometry::LineShape{}, 0.02},
                            {EdgeId("e2"), geometry::CubicShape{{0.31, 0.1}, {0.29, 0.3}}, std::nullopt},
                            {EdgeId("e3"), geometry::ArcShape{0.1}, std::nullopt},
@@ -39,7 +40,8 @@ inline document::Document everyField() {
     region.refinement = 2;
     region.stiffness = {1.5, 0.5, 3};
     front.regions = {region};
-    front.placement = Placement{{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {0.1, 1.2, 0.3}}, Curl{{0, 1}, 0.15, BentLine{-0.2, {{0, -0.2, 0}, {0, 0, 0}, {0, 0.1, 0.02}}}}};
+    front.placement = Placement{{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {0.1, 1.2, 0.3}},
+                                Curl{{0, 1}, 0.15, BentLine{-0.2, {{0, -0.2, 0}, {0, 0, 0}, {0, 0.1, 0.02}}}}};
 
     Piece mirror;
     mirror.id = PieceId("frontRight");

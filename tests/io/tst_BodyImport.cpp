@@ -61,11 +61,11 @@ double asFloat(double x) {
 body::Body sampleBody() {
     body::Body body{"Ann", egg(1.7), {}, {}};
     double x = 0.1;
-    for (Vec3* p : {&body.landmarks.nape, &body.landmarks.frontNeck, &body.landmarks.neckLeft, &body.landmarks.neckRight,
-                    &body.landmarks.acromionLeft, &body.landmarks.acromionRight, &body.landmarks.bustLeft,
-                    &body.landmarks.bustRight, &body.landmarks.waist, &body.landmarks.hip, &body.landmarks.crotch,
-                    &body.landmarks.wristLeft, &body.landmarks.wristRight, &body.landmarks.ankleLeft,
-                    &body.landmarks.ankleRight}) {
+    for (Vec3* p : {&body.landmarks.nape, &body.landmarks.frontNeck, &body.landmarks.neckLeft,
+                    &body.landmarks.neckRight, &body.landmarks.acromionLeft, &body.landmarks.acromionRight,
+                    &body.landmarks.bustLeft, &body.landmarks.bustRight, &body.landmarks.waist, &body.landmarks.hip,
+                    &body.landmarks.crotch, &body.landmarks.wristLeft, &body.landmarks.wristRight,
+                    &body.landmarks.ankleLeft, &body.landmarks.ankleRight}) {
         *p = {x / 3, x / 7, -x / 11}; // numbers that no short text holds
         x += 0.1;
     }
@@ -320,7 +320,13 @@ void tst_BodyImport::workInAChildMayCrashHangOrEatMemory() {
     QCOMPARE(*io::runInChild([] { return std::string(3'000'000, 'x'); }), std::string(3'000'000, 'x'));
     QVERIFY(!io::runInChild([]() -> std::string { std::abort(); }));
     QVERIFY(!io::runInChild([]() -> std::string { throw 1; }));
-    QVERIFY(!io::runInChild([]() -> std::string { for (volatile bool on = true; on;) {} return ""; }, {.seconds = 0.2}));
+    QVERIFY(!io::runInChild(
+        []() -> std::string {
+            for (volatile bool on = true; on;) {
+            }
+            return "";
+        },
+        {.seconds = 0.2}));
     QVERIFY(!io::runInChild([] { return std::string(1'000'000, 'x'); }, {.answer = 1000}));
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
     QVERIFY(!io::runInChild([] { return std::string(std::size_t(8) << 30, 'x'); })); // 8 GiB against 4

@@ -14,9 +14,10 @@ using io::meshFromPly;
 
 namespace {
 
-const std::string header = "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 4\nproperty float x\n"
-                           "property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
-                           "end_header\n";
+const std::string header =
+    "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 4\nproperty float x\n"
+    "property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+    "end_header\n";
 const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n4 0 1 2 3\n";
 
 template <class T>

@@ -25,7 +25,9 @@ private slots:
 
 namespace {
 
-QString brokenFolder() { return qEnvironmentVariable("TOILE_SOURCE_DIR") + "/samples/broken/"; }
+QString brokenFolder() {
+    return qEnvironmentVariable("TOILE_SOURCE_DIR") + "/samples/broken/";
+}
 
 struct Lines {
     QStringList lines;
@@ -40,7 +42,8 @@ Lines checked(const QString& path) {
         out.lines += QString::fromStdString(line).remove(QFileInfo(path).path() + "/");
     };
     if (!result) add(toString(result.error()));
-    else for (const auto& problem : result->problems) add(toString(problem));
+    else
+        for (const auto& problem : result->problems) add(toString(problem));
     out.isRefused = !result || result->hasErrors();
     return out;
 }
@@ -56,70 +59,91 @@ void writeText(const QString& path, const std::string& text) {
 void tst_CheckFile::aBrokenDocumentGetsOneLine_data() {
     QTest::addColumn<bool>("isError");
     QTest::addColumn<QString>("line");
-    QTest::newRow("another-format") << true
-        << "another-format.toile:2: format: Expected \"toile\": this is not a Toile document.";
+    QTest::newRow("another-format")
+        << true << "another-format.toile:2: format: Expected \"toile\": this is not a Toile document.";
     QTest::newRow("clockwise") << true
-        << "clockwise.toile:32: pieces[0].vertices: piece \"Front\": The outline runs clockwise, but must run counter-clockwise seen from the right side of the cloth.";
-    QTest::newRow("duplicate-key") << true
-        << "duplicate-key.toile:24: the key \"spacing\" is given twice.";
-    QTest::newRow("duplicate-piece") << true
-        << "duplicate-piece.toile:46: pieces[1].id: piece \"Back\": The id \"front\" is given twice.";
-    QTest::newRow("duplicate-point") << true
-        << "duplicate-point.toile:36: pieces[0].vertices[3].id: piece \"Front\": The id \"v2\" is given twice.";
+                               << "clockwise.toile:32: pieces[0].vertices: piece \"Front\": The outline runs "
+                                  "clockwise, but must run counter-clockwise seen from the right side of the cloth.";
+    QTest::newRow("duplicate-key") << true << "duplicate-key.toile:24: the key \"spacing\" is given twice.";
+    QTest::newRow("duplicate-piece")
+        << true << "duplicate-piece.toile:46: pieces[1].id: piece \"Back\": The id \"front\" is given twice.";
+    QTest::newRow("duplicate-point")
+        << true << "duplicate-point.toile:36: pieces[0].vertices[3].id: piece \"Front\": The id \"v2\" is given twice.";
     QTest::newRow("edge-without-length") << true
-        << "edge-without-length.toile:41: pieces[0].edges[2]: piece \"Front\": The edge \"waist\" has no length: its two points coincide.";
-    QTest::newRow("hole-outside") << true
-        << "hole-outside.toile:45: pieces[0].holes[0]: piece \"Front\": The hole lies outside the piece.";
-    QTest::newRow("mirror-of-nothing") << true
+                                         << "edge-without-length.toile:41: pieces[0].edges[2]: piece \"Front\": The "
+                                            "edge \"waist\" has no length: its two points coincide.";
+    QTest::newRow("hole-outside")
+        << true << "hole-outside.toile:45: pieces[0].holes[0]: piece \"Front\": The hole lies outside the piece.";
+    QTest::newRow("mirror-of-nothing")
+        << true
         << "mirror-of-nothing.toile:76: pieces[2].mirror.source: piece \"Image\": There is no piece \"nobody\".";
-    QTest::newRow("missing-avatar") << true
-        << "missing-avatar.toile:94: avatar: There is no file \"nobody.glb\" beside the document.";
-    QTest::newRow("missing-side") << true
-        << "missing-side.toile:83: seams[1]: The key \"sideB\" is missing here.";
-    QTest::newRow("nearly-equal-seam") << false
-        << "nearly-equal-seam.toile:73: seams[0]: seam \"right side\": warning: Side A is 402.0 mm long and side B 400.0 mm; 0.0 mm of ease are declared, 2.0 mm are left over.";
+    QTest::newRow("missing-avatar")
+        << true << "missing-avatar.toile:94: avatar: There is no file \"nobody.glb\" beside the document.";
+    QTest::newRow("missing-side") << true << "missing-side.toile:83: seams[1]: The key \"sideB\" is missing here.";
+    QTest::newRow("nearly-equal-seam")
+        << false
+        << "nearly-equal-seam.toile:73: seams[0]: seam \"right side\": warning: Side A is 402.0 mm long and side B "
+           "400.0 mm; 0.0 mm of ease are declared, 2.0 mm are left over.";
     QTest::newRow("negative-density") << true
-        << "negative-density.toile:9: fabrics[0].arealDensity: fabric \"Cotton\": arealDensity is -0.15, but must be positive.";
+                                      << "negative-density.toile:9: fabrics[0].arealDensity: fabric \"Cotton\": "
+                                         "arealDensity is -0.15, but must be positive.";
     QTest::newRow("negative-spacing") << true
-        << "negative-spacing.toile:49: pieces[1].spacing: piece \"Back\": The spacing is -20 mm, but must be a positive length.";
+                                      << "negative-spacing.toile:49: pieces[1].spacing: piece \"Back\": The spacing is "
+                                         "-20 mm, but must be a positive length.";
     QTest::newRow("newer-version") << true
-        << "newer-version.toile:3: version: This document has version 2, but this program reads up to version 1: please use a newer program.";
-    QTest::newRow("no-time-passes") << true
-        << "no-time-passes.toile:94: scene.frameStep: Expected a number above 0, but found 0.";
+                                   << "newer-version.toile:3: version: This document has version 2, but this program "
+                                      "reads up to version 1: please use a newer program.";
+    QTest::newRow("no-time-passes")
+        << true << "no-time-passes.toile:94: scene.frameStep: Expected a number above 0, but found 0.";
     QTest::newRow("not-a-number") << true
-        << "not-a-number.toile:34: this is not valid JSON: syntax error while parsing value - invalid literal; last read: '\"x\": N'.";
+                                  << "not-a-number.toile:34: this is not valid JSON: syntax error while parsing value "
+                                     "- invalid literal; last read: '\"x\": N'.";
     QTest::newRow("not-json") << true
-        << "not-json.toile:1: this is not valid JSON: syntax error while parsing value - invalid literal; last read: 'A'.";
-    QTest::newRow("number-for-a-list") << true
-        << "number-for-a-list.toile:38: pieces[0].edges: Expected a list, but found a number.";
-    QTest::newRow("number-too-large") << true
-        << "number-too-large.toile:34: this is not valid JSON: number overflow parsing '3e999'.";
+                              << "not-json.toile:1: this is not valid JSON: syntax error while parsing value - invalid "
+                                 "literal; last read: 'A'.";
+    QTest::newRow("number-for-a-list")
+        << true << "number-for-a-list.toile:38: pieces[0].edges: Expected a list, but found a number.";
+    QTest::newRow("number-too-large")
+        << true << "number-too-large.toile:34: this is not valid JSON: number overflow parsing '3e999'.";
     QTest::newRow("out-of-measure") << true
-        << "out-of-measure.toile:34: pieces[0].vertices[1].x: Expected a length in millimetres, but 3e+99 is out of all measure.";
+                                    << "out-of-measure.toile:34: pieces[0].vertices[1].x: Expected a length in "
+                                       "millimetres, but 3e+99 is out of all measure.";
     QTest::newRow("pinned-twice") << true
-        << "pinned-twice.toile:96: pins[1].vertex: pin \"n2\": The point \"v4\" of the piece \"Front\" is pinned twice.";
+                                  << "pinned-twice.toile:96: pins[1].vertex: pin \"n2\": The point \"v4\" of the piece "
+                                     "\"Front\" is pinned twice.";
     QTest::newRow("region-outside") << true
-        << "region-outside.toile:49: pieces[0].regions[0].outline: piece \"Front\": The region \"pocket\" lies outside the piece.";
+                                    << "region-outside.toile:49: pieces[0].regions[0].outline: piece \"Front\": The "
+                                       "region \"pocket\" lies outside the piece.";
     QTest::newRow("self-crossing") << true
-        << "self-crossing.toile:66: pieces[1].edges[1]: piece \"Back\": The edges \"right\" and \"left\" cross or touch at (150.00, 200.00) mm.";
+                                   << "self-crossing.toile:66: pieces[1].edges[1]: piece \"Back\": The edges \"right\" "
+                                      "and \"left\" cross or touch at (150.00, 200.00) mm.";
     QTest::newRow("sewn-twice") << true
-        << "sewn-twice.toile:97: seams[2].sideA[0]: seam \"again\": This stretch of the edge \"right\" is already sewn by the seam \"right side\".";
-    QTest::newRow("stretched-placement") << true
-        << "stretched-placement.toile:26: pieces[0].placement.matrix: piece \"Front\": A placement moves and turns a piece, but does not stretch or mirror it.";
-    QTest::newRow("text-for-a-number") << true
-        << "text-for-a-number.toile:34: pieces[0].vertices[1].x: Expected a number, but found a text.";
-    QTest::newRow("truncated") << true
-        << "truncated.toile:50: this is not valid JSON: syntax error while parsing object key - invalid string: missing closing quote; last read: '\"tablePosition'; expected string literal.";
+                                << "sewn-twice.toile:97: seams[2].sideA[0]: seam \"again\": This stretch of the edge "
+                                   "\"right\" is already sewn by the seam \"right side\".";
+    QTest::newRow("stretched-placement")
+        << true
+        << "stretched-placement.toile:26: pieces[0].placement.matrix: piece \"Front\": A placement moves and turns a "
+           "piece, but does not stretch or mirror it.";
+    QTest::newRow("text-for-a-number")
+        << true << "text-for-a-number.toile:34: pieces[0].vertices[1].x: Expected a number, but found a text.";
+    QTest::newRow("truncated")
+        << true
+        << "truncated.toile:50: this is not valid JSON: syntax error while parsing object key - invalid string: "
+           "missing closing quote; last read: '\"tablePosition'; expected string literal.";
     QTest::newRow("unequal-seam") << true
-        << "unequal-seam.toile:73: seams[0]: seam \"right side\": Side A is 410.0 mm long and side B 400.0 mm; 0.0 mm of ease are declared, 10.0 mm are left over.";
+                                  << "unequal-seam.toile:73: seams[0]: seam \"right side\": Side A is 410.0 mm long "
+                                     "and side B 400.0 mm; 0.0 mm of ease are declared, 10.0 mm are left over.";
     QTest::newRow("unknown-edge-in-seam") << true
-        << "unknown-edge-in-seam.toile:80: seams[0].sideB[0].edge: seam \"right side\": The piece \"Back\" has no edge \"side\".";
-    QTest::newRow("unknown-fabric") << true
-        << "unknown-fabric.toile:48: pieces[1].fabric: piece \"Back\": There is no fabric \"silk\".";
+                                          << "unknown-edge-in-seam.toile:80: seams[0].sideB[0].edge: seam \"right "
+                                             "side\": The piece \"Back\" has no edge \"side\".";
+    QTest::newRow("unknown-fabric")
+        << true << "unknown-fabric.toile:48: pieces[1].fabric: piece \"Back\": There is no fabric \"silk\".";
     QTest::newRow("unknown-piece-in-seam") << true
-        << "unknown-piece-in-seam.toile:80: seams[0].sideB[0].piece: seam \"right side\": There is no piece \"sleeve\".";
+                                           << "unknown-piece-in-seam.toile:80: seams[0].sideB[0].piece: seam \"right "
+                                              "side\": There is no piece \"sleeve\".";
     QTest::newRow("wrong-way-round") << false
-        << "wrong-way-round.toile:73: seams[0]: seam \"right side\": warning: The seam joins the right side of one piece to the wrong side of the other: reverse it?";
+                                     << "wrong-way-round.toile:73: seams[0]: seam \"right side\": warning: The seam "
+                                        "joins the right side of one piece to the wrong side of the other: reverse it?";
 }
 
 void tst_CheckFile::aBrokenDocumentGetsOneLine() {
@@ -138,7 +162,8 @@ void tst_CheckFile::aFileOfAnUnknownKindIsRefused() {
     QTemporaryDir folder;
     writeText(folder.filePath("a.doc"), "x");
     QCOMPARE(checked(folder.filePath("a.doc")).lines,
-             QStringList{"a.doc: Files ending in \".doc\" cannot be read as a pattern: .toile and .json (GarmentCode) can."});
+             QStringList{
+                 "a.doc: Files ending in \".doc\" cannot be read as a pattern: .toile and .json (GarmentCode) can."});
 }
 
 void tst_CheckFile::aFolderIsRefused() {

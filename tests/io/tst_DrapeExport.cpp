@@ -28,11 +28,12 @@ Drape sampleDrape() {
     Drape drape;
     FrameTopology& t = drape.topology;
     t.pieces = {{"p1", "Front", 0, 7, 0, 5}, {"p2", "Back\npanel", 7, 4, 5, 2}};
-    t.material = {{0, 0}, {0.1, 0}, {0.2, 0}, {0, 0.1}, {0.1, 0.1}, {0.2, 0.1}, {0.3, 0.05},
-                  {0, 0}, {0.2, 0}, {0, 0.3}, {0.2, 0.3}};
+    t.material = {{0, 0},      {0.1, 0}, {0.2, 0}, {0, 0.1}, {0.1, 0.1}, {0.2, 0.1},
+                  {0.3, 0.05}, {0, 0},   {0.2, 0}, {0, 0.3}, {0.2, 0.3}};
     t.triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 4}, {2, 5, 4}, {2, 6, 5}, {7, 8, 10}, {7, 10, 9}};
     t.triangleRegion.assign(7, -1);
-    t.meshLines = {{0, 1}, {1, 2}, {3, 4}, {4, 5}, {0, 3}, {1, 4}, {2, 5}, {2, 6}, {5, 6}, {7, 8}, {8, 10}, {9, 10}, {7, 9}};
+    t.meshLines = {{0, 1}, {1, 2}, {3, 4}, {4, 5},  {0, 3},  {1, 4}, {2, 5},
+                   {2, 6}, {5, 6}, {7, 8}, {8, 10}, {9, 10}, {7, 9}};
     for (std::size_t i = 0; i < t.material.size(); ++i)
         drape.positions.push_back({t.material[i].x, 1 + t.material[i].y, i < 7 ? 0.1 * t.material[i].x : -0.2});
     return drape;
@@ -79,8 +80,10 @@ void tst_DrapeExport::theGlbHasANodePerPieceWithItsFlatPattern() {
 
     const auto& primitive = glb->json.find("meshes")->asArray()->front().find("primitives")->asArray()->front();
     const auto accessor = static_cast<std::size_t>(*primitive.find("attributes")->find("TEXCOORD_0")->asNumber());
-    const auto view = static_cast<std::size_t>(*(*glb->json.find("accessors")->asArray())[accessor].find("bufferView")->asNumber());
-    const auto offset = static_cast<std::size_t>(*(*glb->json.find("bufferViews")->asArray())[view].find("byteOffset")->asNumber());
+    const auto view =
+        static_cast<std::size_t>(*(*glb->json.find("accessors")->asArray())[accessor].find("bufferView")->asNumber());
+    const auto offset =
+        static_cast<std::size_t>(*(*glb->json.find("bufferViews")->asArray())[view].find("byteOffset")->asNumber());
     for (std::size_t i = 0; i < 7; ++i) {
         float uv[2];
         std::memcpy(uv, glb->binary.data() + offset + i * sizeof uv, sizeof uv);
@@ -91,7 +94,8 @@ void tst_DrapeExport::theGlbHasANodePerPieceWithItsFlatPattern() {
 
 void tst_DrapeExport::everyFormatIsReadBackByAnotherReader_data() {
     QTest::addColumn<QString>("name");
-    for (const char* name : {"drape.glb", "drape.obj", "drape.stl", "drape.ply", "DRAPE.OBJ"}) QTest::newRow(name) << name;
+    for (const char* name : {"drape.glb", "drape.obj", "drape.stl", "drape.ply", "DRAPE.OBJ"})
+        QTest::newRow(name) << name;
 }
 
 void tst_DrapeExport::everyFormatIsReadBackByAnotherReader() {

@@ -41,9 +41,7 @@ private slots:
     void whatCannotBeWrittenIsSaid();
 
 private:
-    [[nodiscard]] std::filesystem::path in(const char* name) const {
-        return folder_->filePath(name).toStdString();
-    }
+    [[nodiscard]] std::filesystem::path in(const char* name) const { return folder_->filePath(name).toStdString(); }
     std::unique_ptr<QTemporaryDir> folder_;
 };
 

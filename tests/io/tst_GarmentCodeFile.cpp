@@ -47,12 +47,17 @@ io::Imported read(const QString& text) {
     return *imported;
 }
 
-Vec3 placedVertex(const Piece& piece, std::size_t i) { return placed(*piece.placement, piece.outline.vertices[i].position); }
+Vec3 placedVertex(const Piece& piece, std::size_t i) {
+    return placed(*piece.placement, piece.outline.vertices[i].position);
+}
 
 /// The front panel's first edge with this curvature.
 geometry::Curve curveWith(const QString& curvature) {
-    const auto imported = read(twoPanels().replace(R"({"endpoints":[0,1]}, {"endpoints":[1,2]}, {"endpoints":[2,3]}, {"endpoints":[3,0]}]},
- "back")", R"({"endpoints":[0,1], "curvature":)" + curvature + R"(}, {"endpoints":[1,2]}, {"endpoints":[2,3]}, {"endpoints":[3,0]}]},
+    const auto imported = read(
+        twoPanels().replace(R"({"endpoints":[0,1]}, {"endpoints":[1,2]}, {"endpoints":[2,3]}, {"endpoints":[3,0]}]},
+ "back")",
+                            R"({"endpoints":[0,1], "curvature":)" + curvature +
+                                R"(}, {"endpoints":[1,2]}, {"endpoints":[2,3]}, {"endpoints":[3,0]}]},
  "back")"));
     return curveOf(imported.document.pattern.pieces[0]->outline, 0);
 }
@@ -66,14 +71,15 @@ void tst_GarmentCodeFile::panelsBecomePiecesInMetres() {
     QVERIFY(std::abs(areaOf(*pattern.pieces[0]) - 0.06) < 1e-12);
     QVERIFY(distance(placedVertex(*pattern.pieces[0], 2), Vec3{0.1, 1.3, 0.2}) < 1e-12);
     QVERIFY(!hasErrors(checkPattern(pattern)));
-    const Pattern third = read(twoPanels().replace("\"units_in_meter\": 100", "\"units_in_meter\": 300")).document.pattern;
+    const Pattern third =
+        read(twoPanels().replace("\"units_in_meter\": 100", "\"units_in_meter\": 300")).document.pattern;
     QVERIFY(std::abs(areaOf(*third.pieces[0]) - 0.06 / 9) < 1e-12);
 }
 
 void tst_GarmentCodeFile::aClockwisePanelIsTurnedOverInPlace() {
     const Piece back = *read(twoPanels()).document.pattern.pieces[1];
-    QVERIFY(areaOf(back) > 0); // counter-clockwise
-    QVERIFY(distance(placedVertex(back, 2), Vec3{0.1, 1.3, -0.2}) < 1e-12); // where the file puts it
+    QVERIFY(areaOf(back) > 0);                                                  // counter-clockwise
+    QVERIFY(distance(placedVertex(back, 2), Vec3{0.1, 1.3, -0.2}) < 1e-12);     // where the file puts it
     QVERIFY(distance(back.placement->transform.axisZ, Vec3{0, 0, -1}) < 1e-12); // the right side faces backwards
 }
 
@@ -120,20 +126,35 @@ void tst_GarmentCodeFile::unequalEdgesAreSewnWithEase() {
     QCOMPARE(pattern.seams[0].sections.size(), std::size_t(1));
     QVERIFY(std::abs(pattern.seams[0].sections[0].ease - 0.01) < 1e-12);
     QVERIFY(!hasErrors(checkPattern(pattern)));
-    QVERIFY(std::ranges::any_of(imported.warnings, [](const Warning& w) { return w.text.find("taken as ease") != std::string::npos; }));
+    QVERIFY(std::ranges::any_of(imported.warnings,
+                                [](const Warning& w) { return w.text.find("taken as ease") != std::string::npos; }));
 }
 
 void tst_GarmentCodeFile::aMistakeNamesItsPlace_data() {
     QTest::addColumn<QString>("was");
     QTest::addColumn<QString>("becomes");
     QTest::addColumn<QString>("path");
-    QTest::newRow("a stitch to an unknown panel") << "{\"panel\":\"back\",\"edge\":2}" << "{\"panel\":\"side\",\"edge\":2}" << "pattern.stitches[0][1].panel";
-    QTest::newRow("a stitch to an unknown edge") << "{\"panel\":\"back\",\"edge\":2}" << "{\"panel\":\"back\",\"edge\":4}" << "pattern.stitches[0][1].edge";
-    QTest::newRow("an edge stitched twice") << "{\"panel\":\"back\",\"edge\":2}" << "{\"panel\":\"back\",\"edge\":0}" << "pattern.stitches[1]";
-    QTest::newRow("an edge to an unknown point") << "{\"endpoints\":[0,1]}" << "{\"endpoints\":[0,7]}" << "pattern.panels.front.edges[0].endpoints[1]";
-    QTest::newRow("edges that do not follow each other") << "{\"endpoints\":[0,1]}" << "{\"endpoints\":[0,2]}" << "pattern.panels.front.edges[0].endpoints";
-    QTest::newRow("no panels") << "\"panels\"" << "\"pieces\"" << "pattern";
-    QTest::newRow("no unit") << "\"units_in_meter\": 100" << "\"units_in_meter\": 0" << "properties.units_in_meter";
+    QTest::newRow("a stitch to an unknown panel") << "{\"panel\":\"back\",\"edge\":2}"
+                                                  << "{\"panel\":\"side\",\"edge\":2}"
+                                                  << "pattern.stitches[0][1].panel";
+    QTest::newRow("a stitch to an unknown edge") << "{\"panel\":\"back\",\"edge\":2}"
+                                                 << "{\"panel\":\"back\",\"edge\":4}"
+                                                 << "pattern.stitches[0][1].edge";
+    QTest::newRow("an edge stitched twice") << "{\"panel\":\"back\",\"edge\":2}"
+                                            << "{\"panel\":\"back\",\"edge\":0}"
+                                            << "pattern.stitches[1]";
+    QTest::newRow("an edge to an unknown point") << "{\"endpoints\":[0,1]}"
+                                                 << "{\"endpoints\":[0,7]}"
+                                                 << "pattern.panels.front.edges[0].endpoints[1]";
+    QTest::newRow("edges that do not follow each other") << "{\"endpoints\":[0,1]}"
+                                                         << "{\"endpoints\":[0,2]}"
+                                                         << "pattern.panels.front.edges[0].endpoints";
+    QTest::newRow("no panels") << "\"panels\""
+                               << "\"pieces\""
+                               << "pattern";
+    QTest::newRow("no unit") << "\"units_in_meter\": 100"
+                             << "\"units_in_meter\": 0"
+                             << "properties.units_in_meter";
 }
 
 void tst_GarmentCodeFile::aMistakeNamesItsPlace() {
@@ -179,7 +200,8 @@ void tst_GarmentCodeFile::realFilesAreRead() {
         Vec3 centre;
         for (std::size_t i = 0; i < piece->outline.vertices.size(); ++i) centre += placedVertex(*piece, i);
         centre = centre / static_cast<double>(piece->outline.vertices.size());
-        QVERIFY2(std::abs(centre.x) < 1 && std::abs(centre.z) < 0.5 && centre.y > -1 && centre.y < 1.8, piece->name.c_str());
+        QVERIFY2(std::abs(centre.x) < 1 && std::abs(centre.z) < 0.5 && centre.y > -1 && centre.y < 1.8,
+                 piece->name.c_str());
         const Vec3 outward = piece->placement->transform.axisZ;
         QVERIFY2(outward.x * centre.x + outward.z * centre.z > 0, piece->name.c_str());
     }

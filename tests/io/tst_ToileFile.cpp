@@ -82,8 +82,8 @@ void tst_ToileFile::lengthsAreRoundedToAMillionthOfAMillimetre() {
 
 void tst_ToileFile::unknownKeysAreKept() {
     std::string text = toileText(tests::everyField());
-    for (const char* place : {"\"format\": \"toile\"", "\"damping\": 0.7", "\"name\": \"Poplin\"", "\"name\": \"Front right\"",
-                              "\"name\": \"shoulder\"", "\"name\": \"centre front\""})
+    for (const char* place : {"\"format\": \"toile\"", "\"damping\": 0.7", "\"name\": \"Poplin\"",
+                              "\"name\": \"Front right\"", "\"name\": \"shoulder\"", "\"name\": \"centre front\""})
         text = replaced(text, place, std::string(place) + ", \"colour\": {\"red\": 1}");
     const auto document = documentFromText(text);
     QVERIFY2(document, document ? "" : toString(document.error()).c_str());
@@ -97,16 +97,23 @@ void tst_ToileFile::aMistakeNamesFileLineAndPath_data() {
     QTest::addColumn<QString>("becomes");
     QTest::addColumn<int>("linesAbove"); // where the message points, seen from the mistake
     QTest::addColumn<QString>("message");
-    QTest::newRow("a text for a number") << "\"x\": 300" << "\"x\": \"wide\""
-        << 0 << "a.toile:%1: pieces[0].vertices[1].x: Expected a number, but found a text.";
-    QTest::newRow("a key is missing") << "\"shape\": \"arc\"" << "\"form\": \"arc\""
-        << 2 << "a.toile:%1: pieces[0].edges[2]: The key \"shape\" is missing here.";
-    QTest::newRow("a word that is not offered") << "\"kind\": \"castle\"" << "\"kind\": \"fort\""
-        << 0 << "a.toile:%1: pieces[0].notches[0].kind: Expected one of \"slit\", \"v\", \"t\", \"castle\", but found \"fort\".";
-    QTest::newRow("half a refinement") << "\"refinement\": 2" << "\"refinement\": 1.5"
-        << 0 << "a.toile:%1: pieces[0].regions[0].refinement: Expected a whole number from 0 to 16, but found 1.5.";
-    QTest::newRow("a list too short") << "[0, 0, -1, 100]" << "[0, 0, -1]"
-        << 0 << "a.toile:%1: pieces[0].placement.matrix[0]: Expected a list of 4, but found 3.";
+    QTest::newRow("a text for a number") << "\"x\": 300"
+                                         << "\"x\": \"wide\"" << 0
+                                         << "a.toile:%1: pieces[0].vertices[1].x: Expected a number, but found a text.";
+    QTest::newRow("a key is missing") << "\"shape\": \"arc\""
+                                      << "\"form\": \"arc\"" << 2
+                                      << "a.toile:%1: pieces[0].edges[2]: The key \"shape\" is missing here.";
+    QTest::newRow("a word that is not offered") << "\"kind\": \"castle\""
+                                                << "\"kind\": \"fort\"" << 0
+                                                << "a.toile:%1: pieces[0].notches[0].kind: Expected one of \"slit\", "
+                                                   "\"v\", \"t\", \"castle\", but found \"fort\".";
+    QTest::newRow("half a refinement")
+        << "\"refinement\": 2"
+        << "\"refinement\": 1.5" << 0
+        << "a.toile:%1: pieces[0].regions[0].refinement: Expected a whole number from 0 to 16, but found 1.5.";
+    QTest::newRow("a list too short")
+        << "[0, 0, -1, 100]"
+        << "[0, 0, -1]" << 0 << "a.toile:%1: pieces[0].placement.matrix[0]: Expected a list of 4, but found 3.";
 }
 
 void tst_ToileFile::aMistakeNamesFileLineAndPath() {
@@ -116,14 +123,16 @@ void tst_ToileFile::aMistakeNamesFileLineAndPath() {
     QFETCH(QString, message);
     const std::string text = replaced(toileText(tests::everyField()), was.toStdString(), becomes.toStdString());
     QVERIFY(!text.empty());
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(text.find(becomes.toStdString())), '\n');
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<long>(text.find(becomes.toStdString())), '\n');
     const auto document = documentFromText(text, "a.toile");
     QVERIFY(!document);
     QCOMPARE(QString::fromStdString(toString(document.error())), message.arg(line - linesAbove));
 }
 
 void tst_ToileFile::aNewerVersionIsRefusedWithASentence() {
-    const auto document = documentFromText(replaced(toileText(tests::everyField()), "\"version\": 1", "\"version\": 2"));
+    const auto document =
+        documentFromText(replaced(toileText(tests::everyField()), "\"version\": 1", "\"version\": 2"));
     QVERIFY(!document);
     QCOMPARE(document.error().code, ErrorCode::unsupported);
     QVERIFY(document.error().text.find("newer program") != std::string::npos);

@@ -87,14 +87,19 @@ std::string without(const std::string& text, const std::string& key) {
 
 } // namespace
 
-void tst_ToileSchema::everyKeyWrittenIsInTheSchema() { compare(written(), described()); }
-void tst_ToileSchema::everyKeyOfTheSchemaIsWritten() { compare(described(), written()); }
+void tst_ToileSchema::everyKeyWrittenIsInTheSchema() {
+    compare(written(), described());
+}
+void tst_ToileSchema::everyKeyOfTheSchemaIsWritten() {
+    compare(described(), written());
+}
 
 void tst_ToileSchema::everyRequiredKeyIsAskedFor_data() {
     QTest::addColumn<QString>("key");
     // Keys whose first appearance in the sample is in the object that requires them.
-    for (const char* key : {"format", "version", "arealDensity", "biasBending", "vertices", "edges", "x", "y", "shape", "control1",
-                            "position", "points", "outline", "matrix", "axis", "sideA", "sideB", "strain", "vertex"})
+    for (const char* key :
+         {"format", "version", "arealDensity", "biasBending", "vertices", "edges", "x", "y", "shape", "control1",
+          "position", "points", "outline", "matrix", "axis", "sideA", "sideB", "strain", "vertex"})
         QTest::newRow(key) << key;
 }
 

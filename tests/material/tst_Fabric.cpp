@@ -70,10 +70,11 @@ void tst_Fabric::aWrongConstantIsNamed() {
     QFETCH(double, value);
     QVERIFY(checked(Fabric{}));
     const std::pair<const char*, double Fabric::*> fields[] = {
-        {"arealDensity", &Fabric::arealDensity}, {"warpStiffness", &Fabric::warpStiffness}, {"weftStiffness", &Fabric::weftStiffness},
-        {"shearStiffness", &Fabric::shearStiffness}, {"coupling", &Fabric::coupling}, {"warpBending", &Fabric::warpBending},
-        {"weftBending", &Fabric::weftBending}, {"biasBending", &Fabric::biasBending}, {"thickness", &Fabric::thickness},
-        {"friction", &Fabric::friction}};
+        {"arealDensity", &Fabric::arealDensity},   {"warpStiffness", &Fabric::warpStiffness},
+        {"weftStiffness", &Fabric::weftStiffness}, {"shearStiffness", &Fabric::shearStiffness},
+        {"coupling", &Fabric::coupling},           {"warpBending", &Fabric::warpBending},
+        {"weftBending", &Fabric::weftBending},     {"biasBending", &Fabric::biasBending},
+        {"thickness", &Fabric::thickness},         {"friction", &Fabric::friction}};
     for (const auto& [name, field] : fields) {
         Fabric fabric;
         fabric.*field = value;

@@ -70,7 +70,8 @@ void tst_FabricPresets::knitsStiffenAsMeasured() {
 /// Square cells need E ≥ G after the diagonals took their share; rows may be up to four times as high as wide.
 void tst_FabricPresets::wovensAreWithinTheReachOfSpringCells() {
     for (const Fabric& fabric : {poplin(), chiffon(), twill()})
-        QVERIFY2(std::min(fabric.warpStiffness, fabric.weftStiffness) >= 16 * fabric.shearStiffness, fabric.name.c_str());
+        QVERIFY2(std::min(fabric.warpStiffness, fabric.weftStiffness) >= 16 * fabric.shearStiffness,
+                 fabric.name.c_str());
 }
 
 QTEST_APPLESS_MAIN(tst_FabricPresets)

@@ -15,13 +15,11 @@ namespace toile::meshing {
 inline BoundaryLoop loopThrough(const std::vector<Vec2>& corners) {
     BoundaryLoop loop;
     for (std::size_t i = 0; i < corners.size(); ++i)
-        loop.push_back(
-            {Curve{corners[i], corners[(i + 1) % corners.size()], {}}, {}, "e" + std::to_string(i)});
+        loop.push_back({Curve{corners[i], corners[(i + 1) % corners.size()], {}}, {}, "e" + std::to_string(i)});
     return loop;
 }
 
-inline PieceInput polygonPiece(const std::vector<Vec2>& corners, double spacing,
-                               std::string label = "Piece") {
+inline PieceInput polygonPiece(const std::vector<Vec2>& corners, double spacing, std::string label = "Piece") {
     PieceInput piece;
     piece.label = std::move(label);
     piece.outline = loopThrough(corners);
@@ -29,8 +27,7 @@ inline PieceInput polygonPiece(const std::vector<Vec2>& corners, double spacing,
     return piece;
 }
 
-inline PieceInput rectanglePiece(double width, double height, double spacing,
-                                 std::string label = "Rectangle") {
+inline PieceInput rectanglePiece(double width, double height, double spacing, std::string label = "Rectangle") {
     return polygonPiece({{0, 0}, {width, 0}, {width, height}, {0, height}}, spacing, std::move(label));
 }
 
@@ -81,8 +78,7 @@ inline double triangleArea(Vec2 a, Vec2 b, Vec2 c) {
 inline double displayArea(const PieceMesh& mesh) {
     double sum = 0;
     for (const auto& t : mesh.display)
-        sum += triangleArea(mesh.nodes[static_cast<std::size_t>(t[0])],
-                            mesh.nodes[static_cast<std::size_t>(t[1])],
+        sum += triangleArea(mesh.nodes[static_cast<std::size_t>(t[0])], mesh.nodes[static_cast<std::size_t>(t[1])],
                             mesh.nodes[static_cast<std::size_t>(t[2])]);
     return sum;
 }
@@ -119,8 +115,7 @@ inline std::string defectOf(const PieceMesh& mesh, int holes = 0) {
         for (const EdgeNodes& edge : loop)
             for (std::size_t k = 0; k + 1 < edge.size(); ++k)
                 if (edge[k].node != edge[k + 1].node)
-                    border.insert(
-                        {std::min(edge[k].node, edge[k + 1].node), std::max(edge[k].node, edge[k + 1].node)});
+                    border.insert({std::min(edge[k].node, edge[k + 1].node), std::max(edge[k].node, edge[k + 1].node)});
     std::size_t open = 0, edges = 0;
     for (const auto& [edge, count] : directed) {
         const bool twin = directed.contains({edge[1], edge[0]});
@@ -131,11 +126,10 @@ inline std::string defectOf(const PieceMesh& mesh, int holes = 0) {
             return "a crack or an edge beside the border";
     }
     if (open != border.size()) return "a border segment that bears no triangle";
-    const long euler = static_cast<long>(mesh.nodes.size()) - static_cast<long>(edges) +
-                       static_cast<long>(mesh.display.size());
+    const long euler =
+        static_cast<long>(mesh.nodes.size()) - static_cast<long>(edges) + static_cast<long>(mesh.display.size());
     if (euler != 1 - holes) return "Euler's number is " + std::to_string(euler);
-    if (std::abs(displayArea(mesh) - boundaryArea(mesh)) > 1e-9 * boundaryArea(mesh))
-        return "the areas differ";
+    if (std::abs(displayArea(mesh) - boundaryArea(mesh)) > 1e-9 * boundaryArea(mesh)) return "the areas differ";
     for (const Rectangle& r : mesh.rectangles) {
         const auto corner = [&](std::size_t i) { return mesh.material[at(r.nodes[i])]; };
         if (corner(0).y != corner(1).y || corner(1).x != corner(2).x || corner(2).y != corner(3).y ||

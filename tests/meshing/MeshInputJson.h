@@ -22,11 +22,8 @@ inline Json jsonOf(const BoundaryLoop& loop) {
     for (const BoundaryEdge& edge : loop) {
         Json json, notches{Json::Array{}};
         for (const double notch : edge.notches) notches.push(notch);
-        json.set("start", jsonOf(edge.curve.start))
-            .set("end", jsonOf(edge.curve.end))
-            .set("notches", notches);
-        if (const auto* arc = std::get_if<geometry::ArcShape>(&edge.curve.shape))
-            json.set("bulge", arc->bulge);
+        json.set("start", jsonOf(edge.curve.start)).set("end", jsonOf(edge.curve.end)).set("notches", notches);
+        if (const auto* arc = std::get_if<geometry::ArcShape>(&edge.curve.shape)) json.set("bulge", arc->bulge);
         if (const auto* cubic = std::get_if<geometry::CubicShape>(&edge.curve.shape))
             json.set("control1", jsonOf(cubic->control1)).set("control2", jsonOf(cubic->control2));
         edges.push(json);
@@ -40,9 +37,8 @@ inline Json jsonOf(const PieceInput& piece) {
     for (const RegionInput& region : piece.regions) {
         Json one, regionHoles{Json::Array{}};
         for (const Polygon& hole : region.holes) regionHoles.push(jsonOf(hole));
-        regions.push(one.set("outline", jsonOf(region.outline))
-                         .set("holes", regionHoles)
-                         .set("refinement", region.refinement));
+        regions.push(
+            one.set("outline", jsonOf(region.outline)).set("holes", regionHoles).set("refinement", region.refinement));
     }
     json.set("spacing", piece.spacing).set("grain", piece.grain).set("rule", static_cast<int>(piece.rule));
     json.set("border", static_cast<int>(piece.border)).set("mirrored", piece.mirrored);
@@ -55,10 +51,7 @@ inline Json jsonOf(const SeamInput& seam) {
         Json parts{Json::Array{}};
         for (const SeamPartInput& part : side) {
             Json json;
-            json.set("piece", part.piece)
-                .set("loop", part.loop)
-                .set("edge", part.edge)
-                .set("from", part.from);
+            json.set("piece", part.piece).set("loop", part.loop).set("edge", part.edge).set("from", part.from);
             parts.push(json.set("to", part.to).set("reversed", part.reversed));
         }
         sides.push(parts);
@@ -85,9 +78,7 @@ struct InputReader {
     static double number(const Json& json, const char* key) { return *json.find(key)->asNumber(); }
     static int whole(const Json& json, const char* key) { return static_cast<int>(number(json, key)); }
     static const Json::Array& items(const Json& json, const char* key) { return *json.find(key)->asArray(); }
-    static Vec2 point(const Json& json) {
-        return {*(*json.asArray())[0].asNumber(), *(*json.asArray())[1].asNumber()};
-    }
+    static Vec2 point(const Json& json) { return {*(*json.asArray())[0].asNumber(), *(*json.asArray())[1].asNumber()}; }
 
     static Polygon polygon(const Json& json) {
         Polygon polygon;
@@ -98,14 +89,12 @@ struct InputReader {
     static BoundaryLoop loop(const Json& json) {
         BoundaryLoop loop;
         for (const Json& edge : *json.asArray()) {
-            BoundaryEdge read{{point(*edge.find("start")), point(*edge.find("end")), {}},
-                              {},
-                              "e" + std::to_string(loop.size())};
+            BoundaryEdge read{
+                {point(*edge.find("start")), point(*edge.find("end")), {}}, {}, "e" + std::to_string(loop.size())};
             for (const Json& notch : items(edge, "notches")) read.notches.push_back(*notch.asNumber());
             if (edge.find("bulge")) read.curve.shape = geometry::ArcShape{number(edge, "bulge")};
             if (edge.find("control1"))
-                read.curve.shape =
-                    geometry::CubicShape{point(*edge.find("control1")), point(*edge.find("control2"))};
+                read.curve.shape = geometry::CubicShape{point(*edge.find("control1")), point(*edge.find("control2"))};
             loop.push_back(std::move(read));
         }
         return loop;
@@ -141,8 +130,7 @@ struct InputReader {
                                             *part.find("reversed")->asBool()});
         for (const Json& section : items(json, "sections")) {
             seam.sections.push_back({number(section, "ease"), {}});
-            if (section.find("gatherRatio"))
-                seam.sections.back().gatherRatio = number(section, "gatherRatio");
+            if (section.find("gatherRatio")) seam.sections.back().gatherRatio = number(section, "gatherRatio");
         }
         return seam;
     }

@@ -44,30 +44,15 @@ private:
     PieceInput piece(int number) {
         PieceInput piece;
         switch (random_.whole(0, 12)) {
-        case 0:
-            piece.outline = loopThrough(star({0, 0}, random_.whole(3, 14)));
-            break;
-        case 1:
-            piece.outline = loopThrough(box(random_(0.02, 0.6), random_(0.004, 0.5)));
-            break;
-        case 2:
-            piece.outline = loopThrough(stairs());
-            break;
-        case 3:
-            piece.outline = loopThrough(slitBox());
-            break;
-        case 4:
-            piece.outline = loopThrough(digitised(random_.whole(50, 800)));
-            break;
-        case 5:
-            piece.outline = circleLoop({random_(-1, 1), random_(-1, 1)}, random_(0.02, 0.3));
-            break;
-        case 6:
-            piece.outline = loopThrough(garbage());
-            break;
+        case 0: piece.outline = loopThrough(star({0, 0}, random_.whole(3, 14))); break;
+        case 1: piece.outline = loopThrough(box(random_(0.02, 0.6), random_(0.004, 0.5))); break;
+        case 2: piece.outline = loopThrough(stairs()); break;
+        case 3: piece.outline = loopThrough(slitBox()); break;
+        case 4: piece.outline = loopThrough(digitised(random_.whole(50, 800))); break;
+        case 5: piece.outline = circleLoop({random_(-1, 1), random_(-1, 1)}, random_(0.02, 0.3)); break;
+        case 6: piece.outline = loopThrough(garbage()); break;
         default:
-            piece.outline =
-                loopThrough(star({random_(-1, 1), random_(-1, 1)}, random_.whole(3, 20), 0.1, 0.3));
+            piece.outline = loopThrough(star({random_(-1, 1), random_(-1, 1)}, random_.whole(3, 20), 0.1, 0.3));
             break;
         }
         piece.label = "P" + std::to_string(number);
@@ -91,8 +76,7 @@ private:
     std::vector<Vec2> star(Vec2 centre, int corners, double least = 0.05, double most = 0.4) {
         std::vector<Vec2> points;
         for (int i = 0; i < corners; ++i) {
-            const double angle = 2 * std::numbers::pi * (i + random_(-0.3, 0.3)) / corners,
-                         r = random_(least, most);
+            const double angle = 2 * std::numbers::pi * (i + random_(-0.3, 0.3)) / corners, r = random_(least, most);
             points.push_back(centre + Vec2{r * std::cos(angle), r * std::sin(angle)});
         }
         return points;
@@ -123,18 +107,15 @@ private:
         const double width = random_(0.1, 0.5), height = random_(0.1, 0.5), at = random_(0.2, 0.8) * width;
         const double half = std::pow(10.0, random_(-6, -1.5)) * width, depth = random_(0.1, 0.95) * height;
         std::vector<Vec2> points{{0, 0}, {at - half, 0}};
-        if (random_.chance(0.5))
-            points.push_back({at + random_(-1, 1) * half, depth});
-        else
-            points.insert(points.end(), {{at - half, depth}, {at + half, depth}});
+        if (random_.chance(0.5)) points.push_back({at + random_(-1, 1) * half, depth});
+        else points.insert(points.end(), {{at - half, depth}, {at + half, depth}});
         points.insert(points.end(), {{at + half, 0}, {width, 0}, {width, height}, {0, height}});
         return points;
     }
 
     std::vector<Vec2> digitised(int points) {
         std::vector<Vec2> outline;
-        const double waves = random_.whole(2, 7), depth = random_(0, 0.1),
-                     noise = std::pow(10.0, random_(-7, -3.5));
+        const double waves = random_.whole(2, 7), depth = random_(0, 0.1), noise = std::pow(10.0, random_(-7, -3.5));
         for (int i = 0; i < points; ++i) {
             const double angle = 2 * std::numbers::pi * i / points,
                          r = 0.3 + depth * std::sin(waves * angle) + random_(-noise, noise);
@@ -154,11 +135,9 @@ private:
     void curve(PieceInput& piece) {
         if (!random_.chance(0.3)) return;
         for (BoundaryEdge& edge : piece.outline) {
-            if (!std::holds_alternative<geometry::LineShape>(edge.curve.shape) || !random_.chance(0.3))
-                continue;
+            if (!std::holds_alternative<geometry::LineShape>(edge.curve.shape) || !random_.chance(0.3)) continue;
             const Vec2 along = edge.curve.end - edge.curve.start;
-            if (random_.chance(0.5))
-                edge.curve.shape = geometry::ArcShape{random_(-0.1, 0.1)};
+            if (random_.chance(0.5)) edge.curve.shape = geometry::ArcShape{random_(-0.1, 0.1)};
             else
                 edge.curve.shape = geometry::CubicShape{
                     edge.curve.start + along * random_(0.1, 0.5) + leftOf(along) * random_(-0.06, 0.06),
@@ -193,8 +172,7 @@ private:
         const double size = random_(0.03, 0.2);
         region.outline = star(centre, random_.whole(3, 9), 0.6 * size, size);
         if (random_.chance(0.5))
-            region.outline = {centre, centre + Vec2{size, 0}, centre + Vec2{size, size},
-                              centre + Vec2{0, size}};
+            region.outline = {centre, centre + Vec2{size, 0}, centre + Vec2{size, size}, centre + Vec2{0, size}};
         if (random_.chance(0.3)) region.holes.push_back(star(centre, 5, 0.005, 0.03));
         return region;
     }
@@ -243,14 +221,12 @@ private:
             for (const SeamPartInput& part : parts) {
                 const auto& outline = input.pieces[static_cast<std::size_t>(part.piece)].outline;
                 if (part.edge < static_cast<int>(outline.size()))
-                    sum += (part.to - part.from) *
-                           geometry::length(outline[static_cast<std::size_t>(part.edge)].curve);
+                    sum += (part.to - part.from) * geometry::length(outline[static_cast<std::size_t>(part.edge)].curve);
             }
             return sum;
         };
         const double a = lengthOf(seam.sides[0]), b = lengthOf(seam.sides[1]);
-        if (b > 0 && random_.chance(0.95))
-            seam.sections = {{0, a / b}}; // of the whole seam: notches may not fit
+        if (b > 0 && random_.chance(0.95)) seam.sections = {{0, a / b}}; // of the whole seam: notches may not fit
         return seam;
     }
 

@@ -38,8 +38,7 @@ std::vector<GridPoint> starPoints(std::mt19937& random, int n, int inner) {
         const double r = radius(random), angle = 2 * M_PI * i / n;
         points.push_back({static_cast<int>(r * std::cos(angle)), static_cast<int>(r * std::sin(angle))});
     }
-    for (int i = 0; i < inner; ++i)
-        points.push_back({static_cast<int>(any(random)), static_cast<int>(any(random))});
+    for (int i = 0; i < inner; ++i) points.push_back({static_cast<int>(any(random)), static_cast<int>(any(random))});
     return points;
 }
 
@@ -49,8 +48,7 @@ std::vector<Constraint> ringOf(int n) {
     return ring;
 }
 
-std::int64_t doubledArea(const std::vector<GridPoint>& points,
-                         const std::vector<std::array<int, 3>>& triangles) {
+std::int64_t doubledArea(const std::vector<GridPoint>& points, const std::vector<std::array<int, 3>>& triangles) {
     std::int64_t sum = 0;
     for (const auto& t : triangles) sum += orientation(points[at(t[0])], points[at(t[1])], points[at(t[2])]);
     return sum;
@@ -84,8 +82,7 @@ void tst_ConstrainedDelaunay::noOtherPointLiesInACircle() {
         QCOMPARE(doubledArea(points, triangles), doubledRingArea(points, n));
         QCOMPARE(static_cast<int>(triangles.size()), n + 2 * 60 - 2); // Euler
         for (const auto& t : triangles)
-            for (int p = n; p < static_cast<int>(points.size());
-                 ++p) { // inner points see one another: brute force
+            for (int p = n; p < static_cast<int>(points.size()); ++p) { // inner points see one another: brute force
                 const bool inner = t[0] >= n && t[1] >= n && t[2] >= n;
                 if (inner)
                     QVERIFY2(!inCircle(points[at(t[0])], points[at(t[1])], points[at(t[2])], points[at(p)]),
@@ -102,8 +99,7 @@ void tst_ConstrainedDelaunay::constraintsAreEdges() {
         std::set<std::pair<int, int>> edges;
         for (const auto& t : constrainedDelaunay(points, ringOf(n)))
             for (std::size_t i = 0; i < 3; ++i) edges.insert({t[i], t[(i + 1) % 3]});
-        for (int i = 0; i < n; ++i)
-            QVERIFY(edges.contains({i, (i + 1) % n}) && !edges.contains({(i + 1) % n, i}));
+        for (int i = 0; i < n; ++i) QVERIFY(edges.contains({i, (i + 1) % n}) && !edges.contains({(i + 1) % n, i}));
     }
 }
 
@@ -117,8 +113,7 @@ void tst_ConstrainedDelaunay::collinearAndCocircularPointsAreFilled() {
     for (int i = 8; i > 0; --i) ring.push_back(72 + i);
     for (int i = 8; i > 0; --i) ring.push_back(i * 9);
     std::vector<Constraint> constraints;
-    for (std::size_t i = 0; i < ring.size(); ++i)
-        constraints.push_back({ring[i], ring[(i + 1) % ring.size()], true});
+    for (std::size_t i = 0; i < ring.size(); ++i) constraints.push_back({ring[i], ring[(i + 1) % ring.size()], true});
     const auto triangles = constrainedDelaunay(points, constraints);
     QCOMPARE(triangles.size(), std::size_t{128});
     QCOMPARE(doubledArea(points, triangles), std::int64_t{2} * 8000 * 8000);

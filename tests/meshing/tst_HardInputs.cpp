@@ -39,8 +39,7 @@ Q_DECLARE_METATYPE(toile::meshing::PieceInput)
 
 namespace {
 
-const double notANumber = std::numeric_limits<double>::quiet_NaN(),
-             infinity = std::numeric_limits<double>::infinity();
+const double notANumber = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
 
 BoundaryLoop clockwise(std::vector<Vec2> corners) {
     std::reverse(corners.begin(), corners.end());
@@ -111,10 +110,9 @@ void compareError(const Result<GarmentMesh>& result, const std::string& object, 
 void tst_HardInputs::isMeshed_data() {
     QTest::addColumn<PieceInput>("piece");
     const double e = 0.02;
-    QTest::addRow("duplicate points")
-        << polygonPiece({{0, 0}, {0, 0}, {0.2, 0}, {0.2, 0.2}, {0.2, 0.2}, {0, 0.2}}, e);
-    QTest::addRow("collinear triples")
-        << polygonPiece({{0, 0}, {0.1, 0}, {0.2, 0}, {0.2, 0.07}, {0.2, 0.2}, {0, 0.2}}, e);
+    QTest::addRow("duplicate points") << polygonPiece({{0, 0}, {0, 0}, {0.2, 0}, {0.2, 0.2}, {0.2, 0.2}, {0, 0.2}}, e);
+    QTest::addRow("collinear triples") << polygonPiece({{0, 0}, {0.1, 0}, {0.2, 0}, {0.2, 0.07}, {0.2, 0.2}, {0, 0.2}},
+                                                       e);
     QTest::addRow("a spike") << polygonPiece(
         {{0, 0}, {0.2, 0}, {0.2, 0.2}, {0.1, 0.2}, {0.1, 0.3}, {0.1, 0.2}, {0, 0.2}}, e);
     QTest::addRow("a clockwise border") << polygonPiece({{0, 0}, {0, 0.2}, {0.2, 0.21}, {0.2, 0}}, e);
@@ -126,29 +124,19 @@ void tst_HardInputs::isMeshed_data() {
     QTest::addRow("a comb of 1000 teeth") << comb(1000);
     QTest::addRow("vertices 1e-12 apart in y")
         << polygonPiece({{0, 0}, {0.1, 1e-12}, {0.2, -1e-12}, {0.2, 0.2}, {0.1, 0.2 + 1e-12}, {0, 0.2}}, e);
-    QTest::addRow("vertices on scan lines from below, above and through") << polygonPiece({{0, 0},
-                                                                                           {0.2, 0},
-                                                                                           {0.2, 0.2},
-                                                                                           {0.16, 0.1},
-                                                                                           {0.12, 0.2},
-                                                                                           {0.08, 0.14},
-                                                                                           {0.04, 0.2},
-                                                                                           {0, 0.2},
-                                                                                           {0.03, 0.1}},
-                                                                                          e);
+    QTest::addRow("vertices on scan lines from below, above and through") << polygonPiece(
+        {{0, 0}, {0.2, 0}, {0.2, 0.2}, {0.16, 0.1}, {0.12, 0.2}, {0.08, 0.14}, {0.04, 0.2}, {0, 0.2}, {0.03, 0.1}}, e);
     QTest::addRow("100 km away") << shifted(1e5);
     QTest::addRow("1 mm") << rectanglePiece(0.001, 0.0007, 0.0001);
     QTest::addRow("100 m") << polygonPiece({{0, 0}, {100, 3}, {90, 70}, {-5, 60}}, 2);
-    QTest::addRow("spacing larger than the piece")
-        << withSpacing(polygonPiece({{0, 0}, {0.2, 0}, {0.21, 0.2}}, e), 10);
+    QTest::addRow("spacing larger than the piece") << withSpacing(polygonPiece({{0, 0}, {0.2, 0}, {0.21, 0.2}}, e), 10);
     QTest::addRow("spacing larger than a circle") << withSpacing(circlePiece(0.2, e), 10);
     QTest::addRow("a hole between two lines")
         << withHoles(rectanglePiece(0.2, 0.2, e), {boxCorners(0.101, 0.101, 0.103, 0.103)});
     QTest::addRow("holes one spacing apart") << withHoles(
         rectanglePiece(0.2, 0.2, e), {boxCorners(0.04, 0.04, 0.08, 0.16), boxCorners(0.1, 0.04, 0.14, 0.16)});
-    QTest::addRow("holes a hair apart")
-        << withHoles(rectanglePiece(0.2, 0.2, e),
-                     {boxCorners(0.04, 0.04, 0.1, 0.16), boxCorners(0.10001, 0.04, 0.14, 0.16)});
+    QTest::addRow("holes a hair apart") << withHoles(
+        rectanglePiece(0.2, 0.2, e), {boxCorners(0.04, 0.04, 0.1, 0.16), boxCorners(0.10001, 0.04, 0.14, 0.16)});
 }
 
 void tst_HardInputs::isMeshed() {
@@ -157,8 +145,7 @@ void tst_HardInputs::isMeshed() {
         piece.rule = rule;
         const auto garment = meshGarment(inputOf(piece));
         QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
-        QCOMPARE(QString::fromStdString(defectOf(garment->pieces[0], static_cast<int>(piece.holes.size()))),
-                 QString());
+        QCOMPARE(QString::fromStdString(defectOf(garment->pieces[0], static_cast<int>(piece.holes.size()))), QString());
         QCOMPARE(garment->report.total.invertedCells + garment->report.total.missingBoundaryNodes +
                      garment->report.total.nonManifoldEdges,
                  0);
@@ -186,8 +173,7 @@ void tst_HardInputs::isMeshedWhateverTheGrain() {
         piece.grain = degrees * std::numbers::pi / 180;
         const auto garment = meshGarment(inputOf(piece));
         QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
-        QCOMPARE(QString::fromStdString(defectOf(garment->pieces[0], static_cast<int>(piece.holes.size()))),
-                 QString());
+        QCOMPARE(QString::fromStdString(defectOf(garment->pieces[0], static_cast<int>(piece.holes.size()))), QString());
         const PieceReport& report = garment->report.total;
         QCOMPARE(report.invertedCells + report.missingBoundaryNodes + report.nonManifoldEdges, 0);
     }
@@ -199,8 +185,8 @@ namespace {
 double largestTurnFromGrain(const PieceMesh& mesh, double grain) {
     double largest = 0;
     for (const Rectangle& r : mesh.rectangles) {
-        const Vec2 weft = mesh.nodes[static_cast<std::size_t>(r.nodes[1])] -
-                          mesh.nodes[static_cast<std::size_t>(r.nodes[0])];
+        const Vec2 weft =
+            mesh.nodes[static_cast<std::size_t>(r.nodes[1])] - mesh.nodes[static_cast<std::size_t>(r.nodes[0])];
         const Vec2 expected = geometry::rotated({1, 0}, grain);
         largest = std::max(largest, std::abs(std::atan2(cross(expected, weft), dot(expected, weft))));
     }
@@ -217,8 +203,7 @@ void tst_HardInputs::aGrainAt17DegreesHasItsOwnRectangles() {
     QVERIFY(largestTurnFromGrain(garment->pieces[0], piece.grain) <
             1e-4); // border nodes lie on lines to 2 units of the grid
     const PieceReport& report = garment->report.total;
-    QVERIFY(report.rectangleFraction >
-            0.88); // a strip of one element for each of 180 border nodes, of some 2000
+    QVERIFY(report.rectangleFraction > 0.88); // a strip of one element for each of 180 border nodes, of some 2000
     QVERIFY(report.minimumAngle > 28 * std::numbers::pi / 180);
     QVERIFY(report.areaRelativeError < 1e-12); // straight edges
 }
@@ -265,27 +250,24 @@ void tst_HardInputs::isRefused_data() {
     QTest::addRow("all vertices on one slanted line")
         << polygonPiece({{0, 0}, {0.1, 0.1}, {0.2, 0.2}, {0.05, 0.05}}, e) << "touches itself";
     QTest::addRow("two points") << polygonPiece({{0, 0}, {0.2, 0}}, e) << "three different points";
-    QTest::addRow("one point thrice")
-        << polygonPiece({{0.1, 0}, {0.1, 0}, {0.1, 0}}, e) << "three different points";
-    QTest::addRow("a bow-tie") << polygonPiece({{0, 0}, {0.2, 0.2}, {0.2, 0}, {0, 0.2}}, e)
-                               << "(100.0, 100.0) mm";
-    QTest::addRow("a border run twice")
-        << polygonPiece({{0, 0}, {0.2, 0}, {0.2, 0.2}, {0, 0}, {0.2, 0}, {0.2, 0.2}}, e) << "touches itself";
+    QTest::addRow("one point thrice") << polygonPiece({{0.1, 0}, {0.1, 0}, {0.1, 0}}, e) << "three different points";
+    QTest::addRow("a bow-tie") << polygonPiece({{0, 0}, {0.2, 0.2}, {0.2, 0}, {0, 0.2}}, e) << "(100.0, 100.0) mm";
+    QTest::addRow("a border run twice") << polygonPiece({{0, 0}, {0.2, 0}, {0.2, 0.2}, {0, 0}, {0.2, 0}, {0.2, 0.2}}, e)
+                                        << "touches itself";
     QTest::addRow("a border that touches itself")
         << polygonPiece({{0, 0}, {0.2, 0}, {0.2, 0.2}, {0.1, 0}, {0, 0.2}}, e) << "(100.0, 0.0) mm";
     QTest::addRow("a hole touching the border")
         << withHoles(square, {boxCorners(0, 0.05, 0.1, 0.1)}) << "cross or touch";
-    QTest::addRow("a hole crossing the border")
-        << withHoles(square, {boxCorners(0.15, 0.05, 0.25, 0.1)}) << "(200.0,";
+    QTest::addRow("a hole crossing the border") << withHoles(square, {boxCorners(0.15, 0.05, 0.25, 0.1)}) << "(200.0,";
     QTest::addRow("a hole larger than the piece")
         << withHoles(square, {boxCorners(-1, -1, 1, 1)}) << "outside the piece";
     QTest::addRow("a hole outside the piece")
         << withHoles(square, {boxCorners(0.3, 0.3, 0.4, 0.4)}) << "Hole 1 lies outside";
-    QTest::addRow("overlapping holes")
-        << withHoles(square, {boxCorners(0.05, 0.05, 0.1, 0.1), boxCorners(0.08, 0.08, 0.15, 0.15)})
-        << "cross or touch";
-    QTest::addRow("nested holes") << withHoles(square, {boxCorners(0.05, 0.05, 0.15, 0.15),
-                                                        boxCorners(0.08, 0.08, 0.1, 0.1)})
+    QTest::addRow("overlapping holes") << withHoles(square, {boxCorners(0.05, 0.05, 0.1, 0.1),
+                                                             boxCorners(0.08, 0.08, 0.15, 0.15)})
+                                       << "cross or touch";
+    QTest::addRow("nested holes") << withHoles(square,
+                                               {boxCorners(0.05, 0.05, 0.15, 0.15), boxCorners(0.08, 0.08, 0.1, 0.1)})
                                   << "Hole 2 lies inside hole 1";
     QTest::addRow("10 000 km away") << shifted(1e7) << "beyond 1e6 m";
     QTest::addRow("NaN") << polygonPiece({{0, 0}, {0.2, notANumber}, {0.2, 0.2}}, e) << "not a number";
@@ -317,8 +299,8 @@ void tst_HardInputs::aNarrowPieceHasOneRow() {
 
 void tst_HardInputs::anEdgeOnAScanLineIsFilledToIt() {
     // The step at 0.1 lies on the sixth line of the grid that the outer edges lay.
-    const auto garment = meshGarment(
-        inputOf(polygonPiece({{0, 0}, {0.2, 0}, {0.2, 0.1}, {0.1, 0.1}, {0.1, 0.2}, {0, 0.2}}, 0.02)));
+    const auto garment =
+        meshGarment(inputOf(polygonPiece({{0, 0}, {0.2, 0}, {0.2, 0.1}, {0.1, 0.1}, {0.1, 0.2}, {0, 0.2}}, 0.02)));
     QVERIFY(garment);
     QVERIFY(garment->pieces[0].triangles.empty());
     QCOMPARE(garment->pieces[0].rectangles.size(), std::size_t{75});
@@ -352,17 +334,15 @@ void tst_HardInputs::seamOfAnEdgeWithItself() {
     MeshInput input{{rectanglePiece(0.2, 0.2, 0.02)}, {}};
     input.seams = {seamOf({{0, 0, 1}}, {{0, 0, 1, 0, 1, true}})};
     compareError(meshGarment(input), "seam \"side seam\"", "edge \"e1\" twice");
-    input.seams = {
-        seamOf({{0, 0, 1, 0, 0.5}}, {{0, 0, 1, 0.5, 1, true}})}; // folded at its middle: a dart of angle π
+    input.seams = {seamOf({{0, 0, 1, 0, 0.5}}, {{0, 0, 1, 0.5, 1, true}})}; // folded at its middle: a dart of angle π
     const auto folded = meshGarment(input);
     QVERIFY(folded);
     QVERIFY(folded->seams[0].pairs.back()[0] == folded->seams[0].pairs.back()[1]);
 }
 
 void tst_HardInputs::seamWithAnEdgeOfNoLength() {
-    MeshInput input{{polygonPiece({{0, 0}, {0.2, 0}, {0.2, 0}, {0.2, 0.2}, {0, 0.2}}, 0.02),
-                     rectanglePiece(0.2, 0.2, 0.02)},
-                    {}};
+    MeshInput input{
+        {polygonPiece({{0, 0}, {0.2, 0}, {0.2, 0}, {0.2, 0.2}, {0, 0.2}}, 0.02), rectanglePiece(0.2, 0.2, 0.02)}, {}};
     input.seams = {seamOf({{0, 0, 1}}, {{1, 0, 3}})};
     compareError(meshGarment(input), "seam \"side seam\"", "edge \"e1\", which has no length");
 }
@@ -423,18 +403,15 @@ void tst_HardInputs::aSlitOfThreeUnitsIsRefusedWithItsPlace() {
                                      {0, 0.2}},
                                     0.02);
     const auto garment = meshGarment(inputOf(piece));
-    if (garment)
-        QCOMPARE(garment->report.total.invertedCells, 0);
-    else
-        compareError(garment, "piece \"Piece\"", "nearer to itself");
+    if (garment) QCOMPARE(garment->report.total.invertedCells, 0);
+    else compareError(garment, "piece \"Piece\"", "nearer to itself");
 }
 
 void tst_HardInputs::seamsThatWalkTheirPointsForEver() {
     // Each half of an edge is sewn to the other, and the whole to a second piece shifted: points wander
     // without end.
     MeshInput input{{rectanglePiece(0.2, 1, 0.02), rectanglePiece(0.2, 1, 0.02)}, {}};
-    input.seams = {seamOf({{0, 0, 1, 0, 0.9}}, {{1, 0, 1, 0, 0.9}}),
-                   seamOf({{0, 0, 1, 0.1, 1}}, {{1, 0, 1, 0, 0.9}})};
+    input.seams = {seamOf({{0, 0, 1, 0, 0.9}}, {{1, 0, 1, 0, 0.9}}), seamOf({{0, 0, 1, 0.1, 1}}, {{1, 0, 1, 0, 0.9}})};
     const auto result = meshGarment(input);
     if (result) // the shift is a tenth: the points close after ten rounds
         QCOMPARE(QString::fromStdString(defectOf(result->pieces[0])), QString());

@@ -76,13 +76,11 @@ void tst_Joints::spacingAcrossEdgesDiffersByTwoAtMost() {
         for (const int node : r.nodes) {
             least[at(node)] = {std::min(least[at(node)].width, span.width),
                                std::min(least[at(node)].height, span.height)};
-            most[at(node)] = {std::max(most[at(node)].width, span.width),
-                              std::max(most[at(node)].height, span.height)};
+            most[at(node)] = {std::max(most[at(node)].width, span.width), std::max(most[at(node)].height, span.height)};
         }
     }
     for (std::size_t i = 0; i < least.size(); ++i) // 1e-9: rounding of coordinates
-        QVERIFY(most[i].width <= 2 * least[i].width * (1 + 1e-9) &&
-                most[i].height <= 2 * least[i].height * (1 + 1e-9));
+        QVERIFY(most[i].width <= 2 * least[i].width * (1 + 1e-9) && most[i].height <= 2 * least[i].height * (1 + 1e-9));
 }
 
 void tst_Joints::theStripKeepsItsAngles() {
@@ -91,11 +89,10 @@ void tst_Joints::theStripKeepsItsAngles() {
             const auto garment = meshGarment(inputOf(piece));
             QVERIFY(garment);
             const PieceReport& report = garment->report.pieces[0];
-            qInfo("%s at %.0f mm: %d nodes, %.1f %% rectangles, least angle %.1f degrees",
-                  piece.label.c_str(), spacing * 1e3, report.nodes, report.rectangleFraction * 100,
+            qInfo("%s at %.0f mm: %d nodes, %.1f %% rectangles, least angle %.1f degrees", piece.label.c_str(),
+                  spacing * 1e3, report.nodes, report.rectangleFraction * 100,
                   report.minimumAngle * 180 / std::numbers::pi);
-            QVERIFY(report.minimumAngle >=
-                    28 * std::numbers::pi / 180); // the goal; no corner of theirs is sharper
+            QVERIFY(report.minimumAngle >= 28 * std::numbers::pi / 180); // the goal; no corner of theirs is sharper
         }
 }
 
@@ -138,8 +135,7 @@ void tst_Joints::thePaperRuleLeavesLongChainsOfSlaves() {
     const auto garment = meshGarment(inputOf(piece));
     QVERIFY(garment);
     QCOMPARE(QString::fromStdString(defectOf(garment->pieces[0])), QString());
-    QCOMPARE(garment->pieces[0].slaves.size(),
-             std::size_t{4 * 8 * 3}); // three on each coarse side, at t = k/4
+    QCOMPARE(garment->pieces[0].slaves.size(), std::size_t{4 * 8 * 3}); // three on each coarse side, at t = k/4
     QCOMPARE(garment->pieces[0].rectangles.size(), std::size_t{256 - 64 + 64 * 16});
 }
 
@@ -168,8 +164,8 @@ void tst_Joints::thePaperRuleHasNodesWhereScanLinesMeetTheBorder() {
 }
 
 void tst_Joints::thePaperRuleDividesSewnEdgesAlike() {
-    MeshInput input{
-        {rectanglePiece(0.3, 0.4, 0.05), polygonPiece({{0, 0}, {0.3, 0}, {0.27, 0.4}, {0, 0.4}}, 0.03)}, {}};
+    MeshInput input{{rectanglePiece(0.3, 0.4, 0.05), polygonPiece({{0, 0}, {0.3, 0}, {0.27, 0.4}, {0, 0.4}}, 0.03)},
+                    {}};
     for (PieceInput& piece : input.pieces) piece.rule = LineRule::paper;
     input.seams = {{"s", {{{{0, 0, 1}}, {{1, 0, 1}}}}, {}}};
     const auto garment = meshGarment(input);
@@ -200,8 +196,7 @@ void tst_Joints::theReportTellsAnglesAndAlignment() {
     int corners = 0;
     for (const int count : report.angles) corners += count;
     QCOMPARE(corners, 4 * report.quads + 3 * report.triangles);
-    const int first = angleBelow(report, 0), median = angleBelow(report, 0.5),
-              last = angleBelow(report, 0.99);
+    const int first = angleBelow(report, 0), median = angleBelow(report, 0.5), last = angleBelow(report, 0.99);
     QCOMPARE(first, static_cast<int>(report.minimumAngle * 180 / std::numbers::pi));
     QCOMPARE(median, 90); // most elements are rectangles
     QVERIFY(last > 90 && last <= report.maximumAngle * 180 / std::numbers::pi);
@@ -213,8 +208,7 @@ void tst_Joints::aMeshThatIsNotJudgedIsTheSame() {
     const MeshInput input = inputOf(regionBodice(0.02));
     const auto judged = meshGarment(input), quick = meshGarment(input, {.judged = false});
     QVERIFY(judged && quick);
-    QVERIFY(judged->pieces[0].nodes == quick->pieces[0].nodes &&
-            judged->pieces[0].display == quick->pieces[0].display);
+    QVERIFY(judged->pieces[0].nodes == quick->pieces[0].nodes && judged->pieces[0].display == quick->pieces[0].display);
     QCOMPARE(quick->report.total.rectangleFraction, judged->report.total.rectangleFraction);
     QCOMPARE(quick->report.total.quads, judged->report.total.quads);
 }

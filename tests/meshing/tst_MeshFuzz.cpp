@@ -33,8 +33,7 @@ extern "C" void nameTheSeed(int signal) {
     char text[64] = "died at seed ";
     char digits[24];
     int n = 0;
-    for (long seed = runningSeed; seed > 0 || n == 0; seed /= 10)
-        digits[n++] = static_cast<char>('0' + seed % 10);
+    for (long seed = runningSeed; seed > 0 || n == 0; seed /= 10) digits[n++] = static_cast<char>('0' + seed % 10);
     std::size_t length = 13;
     while (n > 0) text[length++] = digits[--n];
     text[length++] = '\n';
@@ -52,8 +51,7 @@ bool areaIsRight(const PieceReport& report, const PieceMesh& mesh) {
             for (std::size_t k = 0; k + 1 < edge.size(); ++k)
                 perimeter += distance(mesh.nodes[static_cast<std::size_t>(edge[k].node)],
                                       mesh.nodes[static_cast<std::size_t>(edge[k + 1].node)]);
-    const double exact = displayArea(mesh),
-                 allowed = report.boundaryDeviation * perimeter * 1.2 + 1e-7 * perimeter;
+    const double exact = displayArea(mesh), allowed = report.boundaryDeviation * perimeter * 1.2 + 1e-7 * perimeter;
     return report.areaRelativeError * exact <= allowed * 1.5;
 }
 
@@ -71,8 +69,7 @@ std::string seamDefect(const GarmentMesh& garment, std::size_t seam) {
     for (const auto& [a, b] : pairs)
         for (const NodeRef node : {a, b})
             if (node.node < 0 ||
-                node.node >=
-                    static_cast<int>(garment.pieces[static_cast<std::size_t>(node.piece)].nodes.size()))
+                node.node >= static_cast<int>(garment.pieces[static_cast<std::size_t>(node.piece)].nodes.size()))
                 return "a pair without a node";
     return {};
 }
@@ -115,8 +112,7 @@ void tst_MeshFuzz::initTestCase() {
 
 void tst_MeshFuzz::randomGarmentsMeshOrAreRefused() {
     const long first = std::max(1, qEnvironmentVariableIntValue("TOILE_FUZZ_FROM"));
-    const long count =
-        qEnvironmentVariableIsSet("TOILE_FUZZ") ? qEnvironmentVariableIntValue("TOILE_FUZZ") : 1500;
+    const long count = qEnvironmentVariableIsSet("TOILE_FUZZ") ? qEnvironmentVariableIntValue("TOILE_FUZZ") : 1500;
     int meshed = 0, failed = 0;
     for (long seed = first; seed < first + count; ++seed) {
         runningSeed = seed;

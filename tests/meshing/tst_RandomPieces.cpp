@@ -43,12 +43,9 @@ PieceInput starPiece(Random& random) {
     piece.border = static_cast<RegionBorder>(random.whole(0, 1));
     piece.mirrored = random(0, 1) < 0.3;
     for (int r = random.whole(0, 2); r > 0; --r) {
-        const double x = random(-0.1, 0.1), y = random(-0.1, 0.1), w = random(0.05, 0.2),
-                     h = random(0.05, 0.2);
-        piece.regions.push_back({"r" + std::to_string(r),
-                                 {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}},
-                                 {},
-                                 random.whole(0, 2)});
+        const double x = random(-0.1, 0.1), y = random(-0.1, 0.1), w = random(0.05, 0.2), h = random(0.05, 0.2);
+        piece.regions.push_back(
+            {"r" + std::to_string(r), {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}, {}, random.whole(0, 2)});
     }
     return piece;
 }
@@ -64,14 +61,12 @@ void tst_RandomPieces::simplePiecesAlwaysMesh() {
         if (!garment) { // the one thing that may be wrong with these: where their regions lie
             QVERIFY2(
                 garment.error().place.object.find("region") != std::string::npos,
-                qPrintable(
-                    QString("seed %1: %2").arg(seed).arg(QString::fromStdString(toString(garment.error())))));
+                qPrintable(QString("seed %1: %2").arg(seed).arg(QString::fromStdString(toString(garment.error())))));
             continue;
         }
         ++meshed;
         const std::string defect = defectOf(garment->pieces[0]);
-        QVERIFY2(defect.empty(),
-                 qPrintable(QString("seed %1: %2").arg(seed).arg(QString::fromStdString(defect))));
+        QVERIFY2(defect.empty(), qPrintable(QString("seed %1: %2").arg(seed).arg(QString::fromStdString(defect))));
     }
     QVERIFY(meshed > 250);
 }
@@ -94,13 +89,11 @@ void tst_RandomPieces::garbageIsMeshedOrRefused() {
         }
         const auto garment = meshGarment(inputOf(piece));
         if (!garment) {
-            QVERIFY(!garment.error().text.empty() &&
-                    garment.error().place.object.find("Garbage") != std::string::npos);
+            QVERIFY(!garment.error().text.empty() && garment.error().place.object.find("Garbage") != std::string::npos);
             continue;
         }
         const std::string defect = defectOf(garment->pieces[0]);
-        QVERIFY2(defect.empty(),
-                 qPrintable(QString("seed %1: %2").arg(seed).arg(QString::fromStdString(defect))));
+        QVERIFY2(defect.empty(), qPrintable(QString("seed %1: %2").arg(seed).arg(QString::fromStdString(defect))));
     }
 }
 
@@ -120,8 +113,7 @@ void tst_RandomPieces::sewnPairsAgree() {
         for (const auto& [a, b] : garment->seams[0].pairs)
             QVERIFY(distance(garment->pieces[0].nodes[static_cast<std::size_t>(a.node)],
                              garment->pieces[1].nodes[static_cast<std::size_t>(b.node)]) < 1e-14);
-        for (const PieceMesh& mesh : garment->pieces)
-            QCOMPARE(QString::fromStdString(defectOf(mesh)), QString());
+        for (const PieceMesh& mesh : garment->pieces) QCOMPARE(QString::fromStdString(defectOf(mesh)), QString());
     }
 }
 

@@ -47,10 +47,8 @@ double largestSizeRatio(const PieceMesh& mesh) {
         const double width = mesh.material[static_cast<std::size_t>(r.nodes[1])].x -
                              mesh.material[static_cast<std::size_t>(r.nodes[0])].x;
         for (const int node : r.nodes) {
-            smallest[static_cast<std::size_t>(node)] =
-                std::min(smallest[static_cast<std::size_t>(node)], width);
-            largest[static_cast<std::size_t>(node)] =
-                std::max(largest[static_cast<std::size_t>(node)], width);
+            smallest[static_cast<std::size_t>(node)] = std::min(smallest[static_cast<std::size_t>(node)], width);
+            largest[static_cast<std::size_t>(node)] = std::max(largest[static_cast<std::size_t>(node)], width);
         }
     }
     double worst = 0;
@@ -58,11 +56,11 @@ double largestSizeRatio(const PieceMesh& mesh) {
     return worst;
 }
 
-#define VERIFY_SOUND(garment)                                                                                \
-    QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());                                     \
-    QCOMPARE(QString::fromStdString(                                                                         \
-                 defectOf(garment->pieces[0], static_cast<int>(garment->pieces[0].loops.size()) - 1)),       \
-             QString())
+#define VERIFY_SOUND(garment)                                                                                          \
+    QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());                                               \
+    QCOMPARE(                                                                                                          \
+        QString::fromStdString(defectOf(garment->pieces[0], static_cast<int>(garment->pieces[0].loops.size()) - 1)),   \
+        QString())
 
 } // namespace
 
@@ -93,8 +91,7 @@ void tst_Regions::aRegionEqualToThePieceIsAUniformFineMesh() {
 
 void tst_Regions::snappingReportsHowFarTheBorderMoved() {
     const double cell = 1.0 / 16, off = 0.3 * cell;
-    const auto garment =
-        meshGarment(inputOf(squareWith({region("moved", box(0.25 + off, 0.25, 0.75, 0.75), 1)})));
+    const auto garment = meshGarment(inputOf(squareWith({region("moved", box(0.25 + off, 0.25, 0.75, 0.75), 1)})));
     VERIFY_SOUND(garment);
     const RegionReport& report = garment->report.pieces[0].regions[0];
     QVERIFY(std::abs(report.displacement - off) < 1e-9);
@@ -118,13 +115,12 @@ void tst_Regions::sixtyFourthsOnOneCellAreRingedDown() {
         meshGarment(inputOf(squareWith({region("spot", box(8 * cell, 8 * cell, 9 * cell, 9 * cell), 6)})));
     VERIFY_SOUND(garment);
     QCOMPARE(largestSizeRatio(garment->pieces[0]), 2.0);
-    QVERIFY(garment->pieces[0].triangles.size() <
-            1400); // the border strip where the rings reach it, nothing else
+    QVERIFY(garment->pieces[0].triangles.size() < 1400); // the border strip where the rings reach it, nothing else
 }
 
 void tst_Regions::whereRegionsOverlapTheFinerCounts() {
-    const auto garment = meshGarment(inputOf(squareWith(
-        {region("coarse", box(0.25, 0.25, 0.75, 0.75), 1), region("fine", box(0.5, 0.25, 0.75, 0.75), 2)})));
+    const auto garment = meshGarment(inputOf(
+        squareWith({region("coarse", box(0.25, 0.25, 0.75, 0.75), 1), region("fine", box(0.5, 0.25, 0.75, 0.75), 2)})));
     VERIFY_SOUND(garment);
     QCOMPARE(garment->report.pieces[0].regions[0].cells, 32);
     QCOMPARE(garment->report.pieces[0].regions[1].cells, 32);
@@ -133,8 +129,8 @@ void tst_Regions::whereRegionsOverlapTheFinerCounts() {
 }
 
 void tst_Regions::regionsThatShareACornerOnly() {
-    const auto garment = meshGarment(inputOf(
-        squareWith({region("a", box(0.25, 0.25, 0.5, 0.5), 1), region("b", box(0.5, 0.5, 0.75, 0.75), 1)})));
+    const auto garment = meshGarment(
+        inputOf(squareWith({region("a", box(0.25, 0.25, 0.5, 0.5), 1), region("b", box(0.5, 0.5, 0.75, 0.75), 1)})));
     VERIFY_SOUND(garment);
     QCOMPARE(garment->pieces[0].slaves.size(), std::size_t{2 * 16});
 }
@@ -150,13 +146,12 @@ void tst_Regions::aRegionWithAHole() {
 
 void tst_Regions::regionsAcrossTheBorderRefineItsNodes() {
     PieceInput piece = bodicePiece(0.02);
-    piece.regions = {region("shoulder", box(0.05, 0.45, 0.3, 0.7), 1),
-                     region("hip", box(-0.1, -0.1, 0.3, 0.11), 2)};
+    piece.regions = {region("shoulder", box(0.05, 0.45, 0.3, 0.7), 1), region("hip", box(-0.1, -0.1, 0.3, 0.11), 2)};
     const auto garment = meshGarment(inputOf(piece));
     VERIFY_SOUND(garment);
     const auto parts = [&](std::size_t edge) { return garment->pieces[0].loops[0][edge].size() - 1; };
-    QCOMPARE(parts(3), static_cast<std::size_t>(
-                           std::ceil(geometry::length(piece.outline[3].curve) / 0.01))); // shoulder
+    QCOMPARE(parts(3),
+             static_cast<std::size_t>(std::ceil(geometry::length(piece.outline[3].curve) / 0.01))); // shoulder
     QCOMPARE(parts(0),
              static_cast<std::size_t>(std::ceil(geometry::length(piece.outline[0].curve) / 0.005))); // hem
     QVERIFY(largestSizeRatio(garment->pieces[0]) <= 2.0 + 1e-9);
@@ -184,16 +179,14 @@ void tst_Regions::theMirroredTwinSnapsAlike() {
     twin.mirrored = true;
     const Vec2 a{0.4, 0}, b{0.4, 1};
     std::reverse(twin.outline.begin(), twin.outline.end());
-    for (BoundaryEdge& edge : twin.outline)
-        edge.curve = geometry::reversed(geometry::mirrored(edge.curve, a, b));
+    for (BoundaryEdge& edge : twin.outline) edge.curve = geometry::reversed(geometry::mirrored(edge.curve, a, b));
     std::reverse(twin.regions[0].outline.begin(), twin.regions[0].outline.end());
     for (Vec2& corner : twin.regions[0].outline) corner = geometry::mirrored(corner, a, b);
     const auto garment = meshGarment({{piece, twin}, {}});
     VERIFY_SOUND(garment);
     QCOMPARE(garment->pieces[0].nodes.size(), garment->pieces[1].nodes.size());
     for (std::size_t i = 0; i < garment->pieces[0].nodes.size(); ++i)
-        QVERIFY(distance(geometry::mirrored(garment->pieces[0].nodes[i], a, b), garment->pieces[1].nodes[i]) <
-                1e-14);
+        QVERIFY(distance(geometry::mirrored(garment->pieces[0].nodes[i], a, b), garment->pieces[1].nodes[i]) < 1e-14);
     QVERIFY(!garment->pieces[0].slaves.empty());
 }
 

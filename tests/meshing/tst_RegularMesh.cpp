@@ -90,8 +90,8 @@ void tst_RegularMesh::everyShapeGivesAValidMesh() {
     QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
     QCOMPARE(QString::fromStdString(defectOf(garment->pieces[0], holes)), QString());
     const PieceReport& report = garment->report.pieces[0];
-    qInfo("nodes %d, rectangles %.1f %%, angles %.1f … %.1f degrees", report.nodes,
-          report.rectangleFraction * 100, report.minimumAngle * 57.29578, report.maximumAngle * 57.29578);
+    qInfo("nodes %d, rectangles %.1f %%, angles %.1f … %.1f degrees", report.nodes, report.rectangleFraction * 100,
+          report.minimumAngle * 57.29578, report.maximumAngle * 57.29578);
 }
 
 void tst_RegularMesh::boundaryNodesLieOnTheirCurves() {
@@ -102,13 +102,10 @@ void tst_RegularMesh::boundaryNodesLieOnTheirCurves() {
     for (std::size_t e = 0; e < piece.outline.size(); ++e) {
         const geometry::ArcLength arc(piece.outline[e].curve);
         for (const EdgeNode& node : mesh.loops[0][e])
-            QVERIFY(distance(mesh.nodes[static_cast<std::size_t>(node.node)], arc.pointAt(node.fraction)) <=
-                    1e-15);
+            QVERIFY(distance(mesh.nodes[static_cast<std::size_t>(node.node)], arc.pointAt(node.fraction)) <= 1e-15);
         QCOMPARE(mesh.loops[0][e].size() - 1, static_cast<std::size_t>(std::ceil(arc.total() / 0.02 - 1e-9)));
-        QVERIFY(mesh.nodes[static_cast<std::size_t>(mesh.loops[0][e].front().node)] ==
-                piece.outline[e].curve.start);
-        QVERIFY(mesh.nodes[static_cast<std::size_t>(mesh.loops[0][e].back().node)] ==
-                piece.outline[e].curve.end);
+        QVERIFY(mesh.nodes[static_cast<std::size_t>(mesh.loops[0][e].front().node)] == piece.outline[e].curve.start);
+        QVERIFY(mesh.nodes[static_cast<std::size_t>(mesh.loops[0][e].back().node)] == piece.outline[e].curve.end);
     }
 }
 
@@ -118,8 +115,7 @@ void tst_RegularMesh::theMirroredTwinIsTheMirrorImage() {
     PieceInput twin = piece;
     twin.mirrored = true;
     std::reverse(twin.outline.begin(), twin.outline.end());
-    for (BoundaryEdge& edge : twin.outline)
-        edge.curve = geometry::reversed(geometry::mirrored(edge.curve, a, b));
+    for (BoundaryEdge& edge : twin.outline) edge.curve = geometry::reversed(geometry::mirrored(edge.curve, a, b));
     const auto garment = meshGarment({{piece, twin}, {}});
     QVERIFY(garment);
     const PieceMesh &mesh = garment->pieces[0], &image = garment->pieces[1];
@@ -140,8 +136,7 @@ void tst_RegularMesh::theMirroredTwinIsTheMirrorImage() {
 void tst_RegularMesh::aBandSewnToSeveralPiecesIsRectanglesOnly() {
     // 0.23 and 0.31 m at 20 mm: 12 and 16 columns of different widths; 0.03 m: two rows.
     MeshInput input{
-        {rectanglePiece(0.23, 0.5, 0.02), rectanglePiece(0.31, 0.5, 0.02), rectanglePiece(0.54, 0.03, 0.02)},
-        {}};
+        {rectanglePiece(0.23, 0.5, 0.02), rectanglePiece(0.31, 0.5, 0.02), rectanglePiece(0.54, 0.03, 0.02)}, {}};
     input.seams = {seamOf({{0, 0, 2, 0, 1, true}, {1, 0, 2, 0, 1, true}}, {{2, 0, 0}})};
     const auto garment = meshGarment(input);
     QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
@@ -149,8 +144,7 @@ void tst_RegularMesh::aBandSewnToSeveralPiecesIsRectanglesOnly() {
     QVERIFY(band.triangles.empty());
     QCOMPARE(band.rectangles.size(), std::size_t{2 * (12 + 16)});
     QCOMPARE(QString::fromStdString(defectOf(band)), QString());
-    for (const EdgeNode& below :
-         band.loops[0][0]) { // the free edge above has its nodes straight over the seam's
+    for (const EdgeNode& below : band.loops[0][0]) { // the free edge above has its nodes straight over the seam's
         const Vec2 node = band.nodes[static_cast<std::size_t>(below.node)];
         QVERIFY(std::any_of(band.loops[0][2].begin(), band.loops[0][2].end(), [&](const EdgeNode& above) {
             return distance(band.nodes[static_cast<std::size_t>(above.node)], node + Vec2{0, 0.03}) < 1e-12;
@@ -176,8 +170,7 @@ void tst_RegularMesh::aFreeEdgeTakesTheFixedPointsOfTheEdgeItFaces() {
     const auto garment = meshGarment(input);
     QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
     for (const PieceMesh& mesh : garment->pieces) QVERIFY(mesh.triangles.empty());
-    const EdgeNodes& hem =
-        garment->pieces[0].loops[0][0]; // 0.268 m in 14 parts, the notch's place, 0.132 m in 7
+    const EdgeNodes& hem = garment->pieces[0].loops[0][0]; // 0.268 m in 14 parts, the notch's place, 0.132 m in 7
     QCOMPARE(hem.size(), std::size_t{14 + 7 + 1});
     QVERIFY(std::abs(hem[14].fraction - 0.67) < 1e-12);
 }

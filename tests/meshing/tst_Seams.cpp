@@ -43,8 +43,7 @@ void tst_Seams::bothSidesCarryTheFinerCount() {
     const auto garment = meshGarment(input);
     QVERIFY(garment);
     QCOMPARE(garment->seams[0].pairs.size(), std::size_t{31});
-    for (const auto& [a, b] :
-         garment->seams[0].pairs) // right edge of one, left edge of the other, both upwards
+    for (const auto& [a, b] : garment->seams[0].pairs) // right edge of one, left edge of the other, both upwards
         QVERIFY(std::abs(pointOf(*garment, a).y - pointOf(*garment, b).y) < 1e-15);
     QVERIFY(pointOf(*garment, garment->seams[0].pairs.front()[0]) == (Vec2{0.2, 0}));
     QVERIFY(pointOf(*garment, garment->seams[0].pairs.back()[1]) == (Vec2{0, 0.3}));
@@ -64,9 +63,8 @@ void tst_Seams::aReversedPartIsWalkedBackwards() {
 
 void tst_Seams::jointsOfOneSideBecomeNodesOfTheOther() {
     // Two narrow pieces side by side on one wide one; the joint lies at 0.13 of 0.3.
-    MeshInput input{
-        {rectanglePiece(0.13, 0.2, 0.02), rectanglePiece(0.17, 0.2, 0.02), rectanglePiece(0.3, 0.1, 0.02)},
-        {}};
+    MeshInput input{{rectanglePiece(0.13, 0.2, 0.02), rectanglePiece(0.17, 0.2, 0.02), rectanglePiece(0.3, 0.1, 0.02)},
+                    {}};
     input.seams = {seamOf({{0, 0, 0}, {1, 0, 0}}, {{2, 0, 2, 0, 1, true}})};
     const auto garment = meshGarment(input);
     QVERIFY(garment);
@@ -126,8 +124,8 @@ void tst_Seams::notchesAreMatchedInOrder() {
 }
 
 void tst_Seams::seamsThatShareAnEdgeShareItsCount() {
-    MeshInput input{
-        {rectanglePiece(0.2, 0.3, 0.02), rectanglePiece(0.2, 0.3, 0.02), rectanglePiece(0.2, 0.3, 0.01)}, {}};
+    MeshInput input{{rectanglePiece(0.2, 0.3, 0.02), rectanglePiece(0.2, 0.3, 0.02), rectanglePiece(0.2, 0.3, 0.01)},
+                    {}};
     input.seams = {seamOf({{0, 0, 1}}, {{1, 0, 1}}), seamOf({{1, 0, 1}}, {{2, 0, 1}})};
     const auto garment = meshGarment(input);
     QVERIFY(garment);
@@ -136,8 +134,7 @@ void tst_Seams::seamsThatShareAnEdgeShareItsCount() {
 }
 
 void tst_Seams::aDartClosesAtOneTip() {
-    PieceInput piece =
-        polygonPiece({{0, 0}, {0.09, 0}, {0.1, 0.12}, {0.11, 0}, {0.2, 0}, {0.2, 0.3}, {0, 0.3}}, 0.02);
+    PieceInput piece = polygonPiece({{0, 0}, {0.09, 0}, {0.1, 0.12}, {0.11, 0}, {0.2, 0}, {0.2, 0.3}, {0, 0.3}}, 0.02);
     MeshInput input{{piece}, {}};
     input.seams = {seamOf({{0, 0, 1}}, {{0, 0, 2, 0, 1, true}})};
     const auto garment = meshGarment(input);
@@ -151,8 +148,7 @@ void tst_Seams::aDartClosesAtOneTip() {
 
 void tst_Seams::nodesTooNearForTheGridAreRefused() {
     // 20 m at 1 mm gathered into 0.25 m: nodes 12.5 µm apart, 51 units of 1/4096 mm.
-    MeshInput input{{rectanglePiece(20, 0.002, 0.001, "Ruffle"), rectanglePiece(0.25, 0.5, 0.02, "Yoke")},
-                    {}};
+    MeshInput input{{rectanglePiece(20, 0.002, 0.001, "Ruffle"), rectanglePiece(0.25, 0.5, 0.02, "Yoke")}, {}};
     input.seams = {seamOf({{0, 0, 2, 0, 1, true}}, {{1, 0, 0}})};
     input.seams[0].sections = {{0, 80.0}};
     const auto refused = meshGarment(input);
@@ -165,8 +161,8 @@ void tst_Seams::nodesTooNearForTheGridAreRefused() {
 
 void tst_Seams::theThreeConditionsOfThePaperHoldForEverySeam() {
     // Plain; with ease; two pieces on one; a chain with notches.
-    MeshInput input{{rectanglePiece(0.2, 0.3, 0.02), rectanglePiece(0.1, 0.3, 0.01),
-                     rectanglePiece(0.1, 0.32, 0.02), rectanglePiece(0.62, 0.05, 0.015)},
+    MeshInput input{{rectanglePiece(0.2, 0.3, 0.02), rectanglePiece(0.1, 0.3, 0.01), rectanglePiece(0.1, 0.32, 0.02),
+                     rectanglePiece(0.62, 0.05, 0.015)},
                     {}};
     input.seams = {seamOf({{0, 0, 1}}, {{1, 0, 3, 0, 1, true}}), seamOf({{2, 0, 1}}, {{1, 0, 1}}),
                    seamOf({{0, 0, 3, 0, 1, true}, {2, 0, 3, 0, 1, true}}, {{3, 0, 0}})};

@@ -12,7 +12,10 @@ inline pattern::Piece rectangle(const std::string& name, double width, double he
     piece.id = PieceId(name);
     piece.name = name;
     piece.fabric = FabricId("cotton");
-    piece.outline.vertices = {{VertexId("v1"), {0, 0}}, {VertexId("v2"), {width, 0}}, {VertexId("v3"), {width, height}}, {VertexId("v4"), {0, height}}};
+    piece.outline.vertices = {{VertexId("v1"), {0, 0}},
+                              {VertexId("v2"), {width, 0}},
+                              {VertexId("v3"), {width, height}},
+                              {VertexId("v4"), {0, height}}};
     for (const char* edge : {"bottom", "right", "top", "left"}) piece.outline.edges.push_back({EdgeId(edge), {}, {}});
     return piece;
 }
@@ -37,10 +40,12 @@ inline pattern::Pattern twoPanels() {
     Seam right, left;
     right.id = SeamId("s1");
     right.name = "right side";
-    right.sides = {{{{PieceId("front"), EdgeId("right"), 0, 1, false}}, {{PieceId("back"), EdgeId("left"), 0, 1, true}}}};
+    right.sides = {
+        {{{PieceId("front"), EdgeId("right"), 0, 1, false}}, {{PieceId("back"), EdgeId("left"), 0, 1, true}}}};
     left.id = SeamId("s2");
     left.name = "left side";
-    left.sides = {{{{PieceId("front"), EdgeId("left"), 0, 1, false}}, {{PieceId("back"), EdgeId("right"), 0, 1, true}}}};
+    left.sides = {
+        {{{PieceId("front"), EdgeId("left"), 0, 1, false}}, {{PieceId("back"), EdgeId("right"), 0, 1, true}}}};
     return {{front, back, image}, {right, left}, {cotton}, {{PinId("n1"), PieceId("front"), VertexId("v3")}}};
 }
 

@@ -48,7 +48,9 @@ std::vector<Vec2> seamPoints(const Pattern& pattern, const Seam& seam, std::size
     return points;
 }
 
-Pattern withEdgeShape(const EdgeShape& shape) { return *setEdgeShape(tests::twoPanels(), front, EdgeId("right"), shape); }
+Pattern withEdgeShape(const EdgeShape& shape) {
+    return *setEdgeShape(tests::twoPanels(), front, EdgeId("right"), shape);
+}
 
 void addShapes() {
     QTest::addColumn<int>("shape");
@@ -114,7 +116,9 @@ void tst_PatternContours::anEditOfAMirrorImageIsRefused() {
     QCOMPARE(edited.error().place.object, std::string("piece \"image\""));
 }
 
-void tst_PatternContours::aSplitEdgeKeepsItsCourse_data() { addShapes(); }
+void tst_PatternContours::aSplitEdgeKeepsItsCourse_data() {
+    addShapes();
+}
 
 void tst_PatternContours::aSplitEdgeKeepsItsCourse() {
     QFETCH(int, shape);
@@ -136,8 +140,10 @@ void tst_PatternContours::aSplitEdgeKeepsItsCourse() {
 void tst_PatternContours::aSplitEdgeKeepsItsSeamsWhereTheyWere_data() {
     QTest::addColumn<QString>("piece");
     QTest::addColumn<QString>("edge");
-    QTest::newRow("a side walked forwards") << "front" << "right";
-    QTest::newRow("a side walked backwards") << "back" << "left";
+    QTest::newRow("a side walked forwards") << "front"
+                                            << "right";
+    QTest::newRow("a side walked backwards") << "back"
+                                             << "left";
 }
 
 void tst_PatternContours::aSplitEdgeKeepsItsSeamsWhereTheyWere() {
@@ -146,7 +152,10 @@ void tst_PatternContours::aSplitEdgeKeepsItsSeamsWhereTheyWere() {
     Pattern before = tests::twoPanels();
     before.seams[0].sides[0][0].from = 0.2; // a stretch that does not fill its edge
     before.seams[0].sides[1][0].to = 0.9;
-    before.seams.push_back({SeamId("s3"), "image", {{{{PieceId("image"), EdgeId("right"), 0.3, 0.7, true}}, {{PieceId("back"), EdgeId("top"), 0, 1, false}}}}});
+    before.seams.push_back(
+        {SeamId("s3"),
+         "image",
+         {{{{PieceId("image"), EdgeId("right"), 0.3, 0.7, true}}, {{PieceId("back"), EdgeId("top"), 0, 1, false}}}}});
     IdSource ids{50};
     const Pattern after = *insertVertex(before, PieceId(piece.toStdString()), EdgeId(edge.toStdString()), 0.45, ids);
     for (std::size_t s = 0; s < before.seams.size(); ++s)
@@ -160,7 +169,8 @@ void tst_PatternContours::aSplitEdgeKeepsItsSeamsWhereTheyWere() {
             QVERIFY(std::abs(lengthBefore - lengthAfter) < 1e-11);
             const auto& parts = after.seams[s].sides[side];
             for (std::size_t i = 1; i < parts.size(); ++i) // no jumps
-                QVERIFY(geometry::distance(partPoints(after, parts[i - 1], 1e-6).back(), partPoints(after, parts[i], 1e-6).front()) < 1e-11);
+                QVERIFY(geometry::distance(partPoints(after, parts[i - 1], 1e-6).back(),
+                                           partPoints(after, parts[i], 1e-6).front()) < 1e-11);
         }
 }
 
@@ -171,14 +181,17 @@ void tst_PatternContours::aSplitEdgeKeepsItsNotchesWhereTheyWere() {
     for (std::size_t i = 0; i < 2; ++i) {
         const auto place = [&](const Pattern& p) {
             const Notch& notch = p.pieces[0]->notches[i];
-            return geometry::ArcLength(curveOf(*p.pieces[0], *findEdge(*p.pieces[0], notch.edge))).pointAt(notch.position);
+            return geometry::ArcLength(curveOf(*p.pieces[0], *findEdge(*p.pieces[0], notch.edge)))
+                .pointAt(notch.position);
         };
         QVERIFY(geometry::distance(place(before), place(after)) < 1e-11);
     }
     QVERIFY(after.pieces[0]->notches[1].edge != EdgeId("right"));
 }
 
-void tst_PatternContours::deletingAnInsertedVertexGivesBackThePattern_data() { addShapes(); }
+void tst_PatternContours::deletingAnInsertedVertexGivesBackThePattern_data() {
+    addShapes();
+}
 
 void tst_PatternContours::deletingAnInsertedVertexGivesBackThePattern() {
     QFETCH(int, shape);

@@ -48,16 +48,16 @@ void tst_PatternDarts::aWedgeIsCutAndSewnShut() {
     const Pattern before = unsewn();
     const auto after = addDart(before, front, dartOf(before), "dart", ids);
     QVERIFY(after);
-    QVERIFY(std::abs(areaOf(*findPiece(before, front)) - areaOf(*findPiece(*after, front)) -
-                     0.02 * 0.06 / 2) < rounding);
+    QVERIFY(std::abs(areaOf(*findPiece(before, front)) - areaOf(*findPiece(*after, front)) - 0.02 * 0.06 / 2) <
+            rounding);
     QVERIFY(!hasErrors(checkPattern(*after)));
     const Seam& seam = after->seams[0];
     const auto in = partPoints(*after, seam.sides[0].front(), 1e-4),
                out = partPoints(*after, seam.sides[1].front(), 1e-4);
     QVERIFY(distance(in.back(), out.back()) < rounding);                    // at the tip
     QVERIFY(std::abs(distance(in.front(), out.front()) - 0.02) < rounding); // across the mouth
-    QVERIFY(std::abs(*partLength(*after, seam.sides[0].front()) -
-                     *partLength(*after, seam.sides[1].front())) < rounding);
+    QVERIFY(std::abs(*partLength(*after, seam.sides[0].front()) - *partLength(*after, seam.sides[1].front())) <
+            rounding);
 }
 
 void tst_PatternDarts::aSeamAlongTheEdgePassesOverTheMouth() {

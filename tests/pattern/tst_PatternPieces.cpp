@@ -39,7 +39,8 @@ const PieceId front("front"), back("back"), image("image");
 }
 
 void tst_PatternPieces::theSamplePatternHasNoErrors() {
-    for (const Problem& problem : checkPattern(tests::twoPanels())) QVERIFY2(!problem.isError, toString(problem).c_str());
+    for (const Problem& problem : checkPattern(tests::twoPanels()))
+        QVERIFY2(!problem.isError, toString(problem).c_str());
 }
 
 void tst_PatternPieces::aPieceWithATakenIdIsRefused() {
@@ -115,7 +116,8 @@ void tst_PatternPieces::aMirrorImageIsCongruentAndCounterClockwise() {
         QVERIFY(geometry::distance(seen.outline.vertices[at->index].position, {-v.position.x, v.position.y}) < 1e-15);
     }
     // A part of the image's edge lies where the source's part lies, mirrored.
-    const auto a = partPoints(pattern, {front, EdgeId("right"), 0.2, 0.6}, 1e-4), b = partPoints(pattern, {image, EdgeId("right"), 0.2, 0.6}, 1e-4);
+    const auto a = partPoints(pattern, {front, EdgeId("right"), 0.2, 0.6}, 1e-4),
+               b = partPoints(pattern, {image, EdgeId("right"), 0.2, 0.6}, 1e-4);
     QVERIFY(geometry::distance(b.front(), {-a.front().x, a.front().y}) < 1e-15);
     const geometry::ArcLength along(curveOf(seen, *findEdge(seen, EdgeId("right")))); // runs the other way
     QVERIFY(geometry::distance(along.pointAt(0.8), b.front()) < 1e-11);
@@ -133,7 +135,8 @@ void tst_PatternPieces::aStretchedPlacementIsRefused() {
 void tst_PatternPieces::aMovedPlacementCarriesItsPoints() {
     const Transform motion{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, {0.1, 0.2, 0.3}}; // a quarter turn round y
     const Pattern after = *movePlacement(tests::twoPanels(), front, motion);
-    const Vec3 was = placed(*tests::twoPanels().pieces[0]->placement, {0.1, 0.2}), is = placed(*after.pieces[0]->placement, {0.1, 0.2});
+    const Vec3 was = placed(*tests::twoPanels().pieces[0]->placement, {0.1, 0.2}),
+               is = placed(*after.pieces[0]->placement, {0.1, 0.2});
     QVERIFY(distance(motion.point(was), is) < 1e-15);
     QVERIFY(!movePlacement(tests::twoPanels(), image, motion)); // not placed
 }
@@ -149,13 +152,15 @@ void tst_PatternPieces::aCurledPieceKeepsItsLengths() {
 }
 
 void tst_PatternPieces::aRollLaidAlongALineKeepsItsGirth() {
-    const Placement straight{{}, Curl{{0, 1}, 0.1}}, same{{}, Curl{{0, 1}, 0.1, BentLine{-0.3, {{0, -0.3, 0}, {0, 0.2, 0}}}}};
+    const Placement straight{{}, Curl{{0, 1}, 0.1}},
+        same{{}, Curl{{0, 1}, 0.1, BentLine{-0.3, {{0, -0.3, 0}, {0, 0.2, 0}}}}};
     for (const Vec2 p : {Vec2{0.1, -0.4}, Vec2{-0.05, 0}, Vec2{0.2, 0.3}}) // also beyond the line's ends
         QVERIFY(distance(placed(straight, p), placed(same, p)) < 1e-15);
     const Placement bent{{}, Curl{{0, 1}, 0.1, BentLine{0, {{0, 0, 0}, {0, 0.1, 0}, {0, 0.2, 0.05}, {0, 0.25, 0.15}}}}};
     for (const double y : {0.0, 0.07, 0.15, 0.4}) {
         double length = 0;
-        for (int i = 0; i < 1000; ++i) length += distance(placed(bent, {3e-4 * i, y}), placed(bent, {3e-4 * (i + 1), y}));
+        for (int i = 0; i < 1000; ++i)
+            length += distance(placed(bent, {3e-4 * i, y}), placed(bent, {3e-4 * (i + 1), y}));
         QVERIFY(std::abs(length - 0.3) < 1e-6); // as above
     }
     QVERIFY(!setCurl(tests::twoPanels(), front, Curl{{0, 1}, 0.1, BentLine{0, {{0, 0, 0}}}}));

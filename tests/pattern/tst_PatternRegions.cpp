@@ -38,13 +38,16 @@ Pattern withSquare(IdSource& ids) {
     return *addRegion(tests::twoPanels(), front, {{0.1, 0.1}, {0.2, 0.1}, {0.2, 0.2}, {0.1, 0.2}}, "square", 1, ids);
 }
 
-const Region& region(const Pattern& pattern, std::size_t i = 0) { return pattern.pieces[0]->regions[i]; }
+const Region& region(const Pattern& pattern, std::size_t i = 0) {
+    return pattern.pieces[0]->regions[i];
+}
 
 } // namespace
 
 void tst_PatternRegions::aRegionRunsCounterClockwiseHoweverItWasDrawn() {
     IdSource ids{50};
-    const Pattern pattern = *addRegion(tests::twoPanels(), front, {{0.1, 0.2}, {0.2, 0.2}, {0.2, 0.1}, {0.1, 0.1}}, "square", 2, ids);
+    const Pattern pattern =
+        *addRegion(tests::twoPanels(), front, {{0.1, 0.2}, {0.2, 0.2}, {0.2, 0.1}, {0.1, 0.1}}, "square", 2, ids);
     QVERIFY(std::abs(geometry::signedArea(region(pattern).outline) - 0.01) < 1e-12);
     QCOMPARE(region(pattern).refinement, 2);
     QCOMPARE(region(pattern).id, RegionId("r50"));
@@ -70,7 +73,8 @@ void tst_PatternRegions::paintingAddsWhatTheStrokeCovers() {
     QVERIFY(std::abs(areaOf(region(painted)) - 0.01 - outside) < 2e-5); // half a disc to 2.7 %
     QCOMPARE(region(painted).name, std::string("square"));
     // Painting the same again changes no area.
-    QVERIFY(std::abs(areaOf(region(*paintRegion(painted, front, RegionId("r50"), stroke))) - areaOf(region(painted))) < 1e-9);
+    QVERIFY(std::abs(areaOf(region(*paintRegion(painted, front, RegionId("r50"), stroke))) - areaOf(region(painted))) <
+            1e-9);
 }
 
 void tst_PatternRegions::aStrokeElsewhereIsRefused() {
@@ -85,7 +89,8 @@ void tst_PatternRegions::aStrokeRoundLeavesAHole() {
     const Stroke round{{{0.05, 0.05}, {0.15, 0.05}, {0.15, 0.15}, {0.05, 0.15}, {0.05, 0.05}}, 0.01};
     const Pattern painted = *paintNewRegion(tests::twoPanels(), front, round, "ring", 1, ids);
     QCOMPARE(region(painted).holes.size(), std::size_t(1));
-    QVERIFY(std::abs(geometry::signedArea(region(painted).holes[0]) + 0.08 * 0.08) < 1e-9); // clockwise, sharp corners inside
+    QVERIFY(std::abs(geometry::signedArea(region(painted).holes[0]) + 0.08 * 0.08) <
+            1e-9); // clockwise, sharp corners inside
 }
 
 void tst_PatternRegions::erasingThroughTheMiddleMakesTwoRegions() {
@@ -101,7 +106,8 @@ void tst_PatternRegions::erasingThroughTheMiddleMakesTwoRegions() {
 
 void tst_PatternRegions::erasingEverythingRemovesTheRegion() {
     IdSource ids{50};
-    QVERIFY(eraseRegion(withSquare(ids), front, RegionId("r50"), {{{0.15, 0.15}}, 0.2}, ids)->pieces[0]->regions.empty());
+    QVERIFY(
+        eraseRegion(withSquare(ids), front, RegionId("r50"), {{{0.15, 0.15}}, 0.2}, ids)->pieces[0]->regions.empty());
 }
 
 void tst_PatternRegions::refinementHasLimits() {

@@ -86,7 +86,8 @@ void tst_PatternSeams::inSpaceTheNearerEndsMeet() {
     IdSource ids{50};
     const Pattern sewn = *addSeam(pattern, {front, EdgeId("right")}, {back, EdgeId("left")}, ids);
     const auto points = sidePoints(sewn, sewn.seams[0]);
-    QCOMPARE(placed(*sewn.pieces[0]->placement, points[0].front()).y, placed(*sewn.pieces[1]->placement, points[1].front()).y);
+    QCOMPARE(placed(*sewn.pieces[0]->placement, points[0].front()).y,
+             placed(*sewn.pieces[1]->placement, points[1].front()).y);
     QVERIFY(!isTwisted(sewn, sewn.seams[0]));
     QVERIFY(isTwisted(*reverseSeam(sewn, sewn.seams[0].id), reverseSeam(sewn, sewn.seams[0].id)->seams[0]));
 }
@@ -109,7 +110,8 @@ void tst_PatternSeams::aDartClosesFromItsMouthToItsTip() {
 
 void tst_PatternSeams::aChainIsWalkedBackwardsAsAWhole() {
     IdSource ids{50};
-    const std::vector<EdgePick> a{{front, EdgeId("bottom")}, {front, EdgeId("right")}}, b{{back, EdgeId("bottom")}, {back, EdgeId("right")}};
+    const std::vector<EdgePick> a{{front, EdgeId("bottom")}, {front, EdgeId("right")}},
+        b{{back, EdgeId("bottom")}, {back, EdgeId("right")}};
     const Pattern sewn = *addSeam(unplaced(), a, b, "chain", ids);
     QCOMPARE(sewn.seams[0].sides[1][0].edge, EdgeId("right"));
     QVERIFY(sewn.seams[0].sides[1][0].reversed && sewn.seams[0].sides[1][1].reversed);

@@ -102,8 +102,7 @@ void tst_Camera::screenToWorldUndoesWorldToScreen() {
 }
 
 void tst_Camera::matricesAgreeWithWorldToScreen() {
-    const Matrix4 view = viewMatrix(someCamera()),
-                  projection = projectionMatrix(someCamera(), picture800, 0.1, 10);
+    const Matrix4 view = viewMatrix(someCamera()), projection = projectionMatrix(someCamera(), picture800, 0.1, 10);
     const auto times = [](const Matrix4& m, const std::array<double, 4>& v) {
         std::array<double, 4> r{};
         for (std::size_t row = 0; row < 4; ++row)
@@ -182,13 +181,12 @@ void tst_Camera::fittingShowsEveryCornerWithAMargin() {
     const Camera camera = fitted({.yaw = 0.4, .pitch = pitch}, viewport, box, margin);
     double nearestToBorder = 1;
     for (int corner = 0; corner < 8; ++corner) {
-        const auto seen =
-            worldToScreen(camera, viewport,
-                          {corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
-                           corner & 4 ? box.high.z : box.low.z});
+        const auto seen = worldToScreen(camera, viewport,
+                                        {corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
+                                         corner & 4 ? box.high.z : box.low.z});
         QVERIFY(seen);
-        for (const double free : {seen->pixel.x / width, 1 - seen->pixel.x / width, seen->pixel.y / height,
-                                  1 - seen->pixel.y / height})
+        for (const double free :
+             {seen->pixel.x / width, 1 - seen->pixel.x / width, seen->pixel.y / height, 1 - seen->pixel.y / height})
             nearestToBorder = std::min(nearestToBorder, free);
     }
     QVERIFY(std::abs(nearestToBorder - margin) < rounding); // as large as the margin lets it be

@@ -17,8 +17,7 @@ simulation::Frame twoSquares() {
     simulation::FrameTopology topology;
     simulation::Frame frame;
     for (const double z : {1.0, 0.0}) {
-        const int v = static_cast<int>(frame.positions.size()),
-                  t = static_cast<int>(topology.triangles.size());
+        const int v = static_cast<int>(frame.positions.size()), t = static_cast<int>(topology.triangles.size());
         frame.positions.insert(frame.positions.end(), {{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}});
         topology.triangles.insert(topology.triangles.end(), {{v, v + 1, v + 2}, {v, v + 2, v + 3}});
         topology.pieces.push_back({z > 0 ? "near" : "far", "", v, 4, t, 2});

@@ -42,10 +42,9 @@ simulation::Frame frameOf(const std::vector<Square>& squares) {
     simulation::FrameTopology topology;
     simulation::Frame frame;
     for (const auto& [id, m, h] : squares) {
-        const int v = static_cast<int>(frame.positions.size()),
-                  t = static_cast<int>(topology.triangles.size());
-        frame.positions.insert(frame.positions.end(), {m + Vec3{-h, -h, 0}, m + Vec3{h, -h, 0},
-                                                       m + Vec3{h, h, 0}, m + Vec3{-h, h, 0}});
+        const int v = static_cast<int>(frame.positions.size()), t = static_cast<int>(topology.triangles.size());
+        frame.positions.insert(frame.positions.end(),
+                               {m + Vec3{-h, -h, 0}, m + Vec3{h, -h, 0}, m + Vec3{h, h, 0}, m + Vec3{-h, h, 0}});
         topology.triangles.insert(topology.triangles.end(), {{v, v + 1, v + 2}, {v, v + 2, v + 3}});
         topology.pieces.push_back({id, id, v, 4, t, 2});
     }
@@ -146,8 +145,7 @@ void tst_Rendering::theNearerPieceHidesTheFarther() {
 
 void tst_Rendering::theOrderOfPiecesDoesNotMatter() {
     QVERIFY(isReddish(middleOf(sceneOf({{"blue", {0, 0, -0.1}}, {"red", {0, 0, 0.1}}}))));
-    QVERIFY(
-        isBluish(middleOf(sceneOf({{"red", {0, 0, -0.001}}, {"blue", {0, 0, 0.001}}})))); // a layer of 2 mm
+    QVERIFY(isBluish(middleOf(sceneOf({{"red", {0, 0, -0.001}}, {"blue", {0, 0, 0.001}}})))); // a layer of 2 mm
 }
 
 /// The middle of the red pixels is where worldToScreen says, for cameras from all sides.
@@ -156,8 +154,7 @@ void tst_Rendering::whatIsProjectedIsDrawnThere() {
     const RenderScene scene = sceneOf({{"red", place, 0.01}});
     for (const double yaw : {-0.6, 0.0, 0.5})
         for (const double pitch : {-0.5, 0.0, 0.7}) {
-            const Camera camera{
-                .target = {0.02, -0.01, 0}, .distance = 1, .yaw = yaw, .pitch = pitch, .fovY = 0.5};
+            const Camera camera{.target = {0.02, -0.01, 0}, .distance = 1, .yaw = yaw, .pitch = pitch, .fovY = 0.5};
             const Image image = draw(scene, camera);
             Vec2 sum;
             int count = 0;
@@ -176,9 +173,7 @@ void tst_Rendering::whatIsProjectedIsDrawnThere() {
 void tst_Rendering::aSelectedPieceLooksDifferent() {
     RenderScene scene = sceneOf({{"blue", {}}});
     const auto edge = worldToScreen(fromFront, small, {0.1, 0.02, 0})->pixel;
-    const auto atEdge = [&] {
-        return pixelAt(draw(scene), static_cast<int>(edge.x), static_cast<int>(edge.y));
-    };
+    const auto atEdge = [&] { return pixelAt(draw(scene), static_cast<int>(edge.x), static_cast<int>(edge.y)); };
     const Pixel inside = middleOf(scene);
     scene.selectedPiece = "blue";
     QVERIFY(middleOf(scene).r > inside.r + 8); // a touch of the mark's colour, and a line round it
@@ -243,9 +238,7 @@ void tst_Rendering::meshLinesAppearWhenAskedFor() {
     topology.meshLines = {{0, 2}};
     frame.topology = Shared(std::move(topology));
     scene.frame = Shared(frame);
-    const auto onDiagonal = [&] {
-        return pixelAt(draw(scene), 100, 79);
-    }; // right and above of the middle: on the line
+    const auto onDiagonal = [&] { return pixelAt(draw(scene), 100, 79); }; // right and above of the middle: on the line
     const Pixel before = onDiagonal();
     scene.options.meshLines = true;
     QVERIFY(onDiagonal().r < before.r - 25);
@@ -262,8 +255,7 @@ void tst_Rendering::overlayIsSeenThroughEverything() {
 
 void tst_Rendering::bodyAndClothCanBeLeftOut() {
     RenderScene scene = sceneOf({{"red", {}}});
-    scene.body =
-        Shared(body::Body{.mesh = {{{-0.1, -0.1, 0.1}, {0.1, -0.1, 0.1}, {0, 0.2, 0.1}}, {{0, 1, 2}}}});
+    scene.body = Shared(body::Body{.mesh = {{{-0.1, -0.1, 0.1}, {0.1, -0.1, 0.1}, {0, 0.2, 0.1}}, {{0, 1, 2}}}});
     const Pixel body = middleOf(scene);
     QVERIFY(!isReddish(body));
     scene.options.body = false;
@@ -330,8 +322,8 @@ void tst_Rendering::picturesOfImpossibleSizeAreRefused() {
 }
 
 void tst_Rendering::stillPicturesHaveSmoothEdges() {
-    const auto image = renderPicture(sceneOf({{"red", {}}}),
-                                     {.target = {}, .distance = 1, .yaw = 0.2, .pitch = 0.1}, 200, 160);
+    const auto image =
+        renderPicture(sceneOf({{"red", {}}}), {.target = {}, .distance = 1, .yaw = 0.2, .pitch = 0.1}, 200, 160);
     QVERIFY(image);
     QCOMPARE(image->width, 200);
     // Between background and red there are mixtures: more than two kinds of jump along a row.

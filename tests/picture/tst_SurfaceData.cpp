@@ -72,8 +72,7 @@ void tst_SurfaceData::normalsPointToTheRightSide() {
 
 void tst_SurfaceData::aFlatSurfaceIsNeitherHollowNorRound() {
     const Net net = netOver(4, 1, [](double, double) { return 0.3; });
-    for (const SurfaceVertex& vertex : surfaceVertices(net.positions, net.triangles))
-        QCOMPARE(vertex.cavity, 0.0f);
+    for (const SurfaceVertex& vertex : surfaceVertices(net.positions, net.triangles)) QCOMPARE(vertex.cavity, 0.0f);
 }
 
 void tst_SurfaceData::cavityIsTheMeanCurvatureOfACylinder() {

@@ -59,7 +59,8 @@ void tst_Blouse::wearingEaseIsAsAsked() {
     QVERIFY(std::abs(round(s.levels.bustFront, s.levels.bustBack) - s.measurements.bust - 0.090) < micrometre);
     QVERIFY(std::abs(round(s.levels.hipFront, s.levels.hipBack) - s.measurements.hip - 0.060) < micrometre);
     QVERIFY(std::abs(widthAt(s.piece("back"), s.levels.acrossBack) - s.figures.acrossBack - 0.020) < micrometre);
-    QVERIFY(std::abs(widthAt(s.piece("sleeve-left"), -s.settings.bicepsBelow) - s.measurements.biceps - 0.060) < micrometre);
+    QVERIFY(std::abs(widthAt(s.piece("sleeve-left"), -s.settings.bicepsBelow) - s.measurements.biceps - 0.060) <
+            micrometre);
 }
 
 void tst_Blouse::sewnEdgesAgreeUpToTheirEase() {
@@ -119,8 +120,9 @@ void tst_Blouse::capEaseLiesAboveTheNotches() {
     };
     QVERIFY(std::abs(below(sleeve, 0, true) - below(back, 0, true)) < 1e-9);
     QVERIFY(std::abs(below(sleeve, 1, false) - below(front, 0, true)) < 1e-9);
-    const double ease = edgeLength(sleeve, edgeId("sleeve-left", "cap-front")) + edgeLength(sleeve, edgeId("sleeve-left", "cap-back")) -
-                        edgeLength(front, edgeId("front-left", "armhole")) - edgeLength(back, edgeId("back", "armhole-left"));
+    const double ease =
+        edgeLength(sleeve, edgeId("sleeve-left", "cap-front")) + edgeLength(sleeve, edgeId("sleeve-left", "cap-back")) -
+        edgeLength(front, edgeId("front-left", "armhole")) - edgeLength(back, edgeId("back", "armhole-left"));
     QVERIFY(ease >= 0.008 && ease <= 0.015);
 }
 
@@ -134,8 +136,8 @@ void tst_Blouse::theBackHasFourRegionsThreeOfThemHalved() {
 
 void tst_Blouse::rightPiecesStartAsMirrorImages() {
     const Sample& s = sample();
-    for (const auto& [left, right] : {std::pair{"front-left", "front-right"}, {"sleeve-left", "sleeve-right"},
-                                      {"cuff-left", "cuff-right"}})
+    for (const auto& [left, right] :
+         {std::pair{"front-left", "front-right"}, {"sleeve-left", "sleeve-right"}, {"cuff-left", "cuff-right"}})
         for (const Vertex& vertex : s.piece(left).outline.vertices) {
             const Vec3 p = placed(*s.piece(left).placement, vertex.position);
             const Vec3 q = placed(*s.piece(right).placement, {-vertex.position.x, vertex.position.y});
@@ -157,7 +159,8 @@ void tst_Blouse::rightSidesFaceOutward() {
 
 void tst_Blouse::piecesStartClearOfTheBody() {
     const Sample& s = sample();
-    for (const auto& [id, clearance] : {std::pair{"front-left", 0.019}, {"back", 0.019}, {"sleeve-left", 0.007}, {"cuff-left", 0.007}})
+    for (const auto& [id, clearance] :
+         {std::pair{"front-left", 0.019}, {"back", 0.019}, {"sleeve-left", 0.007}, {"cuff-left", 0.007}})
         QVERIFY2(clearanceOf(s.piece(id), *s.piece(id).placement, s.body) > clearance, id);
 }
 

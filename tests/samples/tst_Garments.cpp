@@ -35,8 +35,12 @@ const Pattern& patternOf(const std::string& name) {
     return std::ranges::find(samplesOfOurs(), name, &NamedDocument::name)->document.pattern;
 }
 
-const Piece& piece(const Pattern& pattern, const std::string& id) { return *findPiece(pattern, PieceId{id}); }
-double length(const Piece& piece, const std::string& edge) { return edgeLength(piece, edgeId(piece.id.value, edge)); }
+const Piece& piece(const Pattern& pattern, const std::string& id) {
+    return *findPiece(pattern, PieceId{id});
+}
+double length(const Piece& piece, const std::string& edge) {
+    return edgeLength(piece, edgeId(piece.id.value, edge));
+}
 
 } // namespace
 
@@ -72,7 +76,8 @@ void tst_Garments::sewnEdgesAgreeUpToTheirEase() {
         for (const Seam& seam : sample.document.pattern.seams) {
             double ease = 0;
             for (const SeamSection& section : seam.sections) ease += section.ease;
-            const double difference = sideLength(sample.document.pattern, seam, 0) - sideLength(sample.document.pattern, seam, 1);
+            const double difference =
+                sideLength(sample.document.pattern, seam, 0) - sideLength(sample.document.pattern, seam, 1);
             QVERIFY2(std::abs(difference - ease) < 1e-6, (sample.name + ": " + seam.name).c_str());
         }
 }
@@ -87,7 +92,8 @@ void tst_Garments::seamsStartWithinReach() {
                 for (std::size_t side = 0; side < 2; ++side) {
                     const SeamPart& part = atEnd ? seam.sides[side].back() : seam.sides[side].front();
                     const Piece whole = resolved(pattern, *findPiece(pattern, part.piece));
-                    const auto edge = std::ranges::find(whole.outline.edges, part.edge, &Edge::id) - whole.outline.edges.begin();
+                    const auto edge =
+                        std::ranges::find(whole.outline.edges, part.edge, &Edge::id) - whole.outline.edges.begin();
                     const geometry::Curve curve = curveOf(whole.outline, static_cast<std::size_t>(edge));
                     const bool backward = part.reversed != whole.mirror.has_value();
                     ends[side] = placed(*whole.placement, atEnd != backward ? curve.end : curve.start);
@@ -149,28 +155,40 @@ void tst_Garments::trousersHaveTheirEase() {
     // The crotch point settles after the width: a thousandth of a millimetre is far below a pencil's line.
     QVERIFY(std::abs(widthAt(front, levels.thigh) + widthAt(back, levels.thigh) - m.thigh - 0.055) < 1e-5);
     double waist = 0;
-    for (const Piece* panel : {&front, &back}) waist += 2 * (length(*panel, "waist-side") + length(*panel, "waist-centre"));
+    for (const Piece* panel : {&front, &back})
+        waist += 2 * (length(*panel, "waist-side") + length(*panel, "waist-centre"));
     QVERIFY(std::abs(waist - m.waist - 0.010) < 1e-5);
 }
 
 void tst_Garments::matedCornersAreTrue_data() {
     QTest::addColumn<QString>("sample");
     QTest::addColumn<QStringList>("corners"); // piece:corner …, whose angles together make a straight line
-    QTest::newRow("T-shirt, shoulder and neck") << "t-shirt" << QStringList{"front:neck-side-left", "back:neck-side-left"};
-    QTest::newRow("T-shirt, shoulder and armhole") << "t-shirt" << QStringList{"front:shoulder-tip-left", "back:shoulder-tip-left"};
+    QTest::newRow("T-shirt, shoulder and neck")
+        << "t-shirt" << QStringList{"front:neck-side-left", "back:neck-side-left"};
+    QTest::newRow("T-shirt, shoulder and armhole")
+        << "t-shirt" << QStringList{"front:shoulder-tip-left", "back:shoulder-tip-left"};
     QTest::newRow("T-shirt, underarm") << "t-shirt" << QStringList{"front:underarm-left", "back:underarm-left"};
     QTest::newRow("T-shirt, hem") << "t-shirt" << QStringList{"front:hem-side-left", "back:hem-side-left"};
-    QTest::newRow("T-shirt, sleeve hem") << "t-shirt" << QStringList{"sleeve-left:bottom-front", "sleeve-left:bottom-back"};
+    QTest::newRow("T-shirt, sleeve hem") << "t-shirt"
+                                         << QStringList{"sleeve-left:bottom-front", "sleeve-left:bottom-back"};
     QTest::newRow("skirt, hem before") << "circle-skirt" << QStringList{"skirt-left:hem-front", "skirt-left:hem-front"};
-    QTest::newRow("skirt, waist behind") << "circle-skirt" << QStringList{"skirt-left:waist-back", "skirt-left:waist-back"};
-    QTest::newRow("trousers, waist at the side") << "trousers" << QStringList{"front-left:waist-side", "back-right:waist-side"};
-    QTest::newRow("trousers, waist before") << "trousers" << QStringList{"front-left:waist-centre", "front-left:waist-centre"};
-    QTest::newRow("trousers, waist behind") << "trousers" << QStringList{"back-right:waist-centre", "back-right:waist-centre"};
-    QTest::newRow("trousers, front dart") << "trousers" << QStringList{"front-left:dart-side", "front-left:dart-centre"};
+    QTest::newRow("skirt, waist behind") << "circle-skirt"
+                                         << QStringList{"skirt-left:waist-back", "skirt-left:waist-back"};
+    QTest::newRow("trousers, waist at the side")
+        << "trousers" << QStringList{"front-left:waist-side", "back-right:waist-side"};
+    QTest::newRow("trousers, waist before")
+        << "trousers" << QStringList{"front-left:waist-centre", "front-left:waist-centre"};
+    QTest::newRow("trousers, waist behind")
+        << "trousers" << QStringList{"back-right:waist-centre", "back-right:waist-centre"};
+    QTest::newRow("trousers, front dart")
+        << "trousers" << QStringList{"front-left:dart-side", "front-left:dart-centre"};
     QTest::newRow("trousers, back dart") << "trousers" << QStringList{"back-right:dart-side", "back-right:dart-centre"};
-    QTest::newRow("trousers, crotch") << "trousers" << QStringList{"front-left:crotch-point", "back-right:crotch-point"};
-    QTest::newRow("trousers, hem inside") << "trousers" << QStringList{"front-left:hem-inside", "back-right:hem-inside"};
-    QTest::newRow("trousers, hem at the side") << "trousers" << QStringList{"front-left:hem-side", "back-right:hem-side"};
+    QTest::newRow("trousers, crotch") << "trousers"
+                                      << QStringList{"front-left:crotch-point", "back-right:crotch-point"};
+    QTest::newRow("trousers, hem inside")
+        << "trousers" << QStringList{"front-left:hem-inside", "back-right:hem-inside"};
+    QTest::newRow("trousers, hem at the side")
+        << "trousers" << QStringList{"front-left:hem-side", "back-right:hem-side"};
 }
 
 void tst_Garments::matedCornersAreTrue() {

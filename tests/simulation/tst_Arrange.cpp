@@ -21,9 +21,9 @@ const body::Body& usual() {
 body::Body shifted(body::Body body, const Vec3& by) {
     for (Vec3& p : body.mesh.vertices) p += by;
     body::Landmarks& m = body.landmarks;
-    for (Vec3* p : {&m.nape, &m.frontNeck, &m.neckLeft, &m.neckRight, &m.acromionLeft, &m.acromionRight,
-                    &m.bustLeft, &m.bustRight, &m.waist, &m.hip, &m.crotch, &m.wristLeft, &m.wristRight,
-                    &m.ankleLeft, &m.ankleRight})
+    for (Vec3* p :
+         {&m.nape, &m.frontNeck, &m.neckLeft, &m.neckRight, &m.acromionLeft, &m.acromionRight, &m.bustLeft,
+          &m.bustRight, &m.waist, &m.hip, &m.crotch, &m.wristLeft, &m.wristRight, &m.ankleLeft, &m.ankleRight})
         *p += by;
     for (body::LimbAxis& axis : body.axes)
         for (Vec3& p : axis.points) p += by;
@@ -76,10 +76,8 @@ pattern::Pattern apron() {
 pattern::Pattern armlet() {
     const Transform arm = *body::limbFrame(usual(), body::Limb::leftArm);
     constexpr double radius = 0.07;
-    pattern::Piece piece =
-        polygonPiece("armlet", {{-0.2, -0.04}, {0.2, -0.04}, {0.2, 0.04}, {-0.2, 0.04}}, 0.02);
-    piece.placement =
-        pattern::Placement{{-arm.axisX, -arm.axisY, arm.axisZ, {}}, pattern::Curl{{0, 1}, radius}};
+    pattern::Piece piece = polygonPiece("armlet", {{-0.2, -0.04}, {0.2, -0.04}, {0.2, 0.04}, {-0.2, 0.04}}, 0.02);
+    piece.placement = pattern::Placement{{-arm.axisX, -arm.axisY, arm.axisZ, {}}, pattern::Curl{{0, 1}, radius}};
     piece.placement->transform.origin = arm.point({0, 0.25, radius});
     return onlyPiece(std::move(piece));
 }
@@ -99,8 +97,7 @@ double leastClearance(const pattern::Pattern& pattern, const body::Body& body) {
     }();
     for (int i = 0; i <= 40; ++i)
         for (int k = 0; k <= 10; ++k) {
-            const Vec2 at{box.low.x + (box.high.x - box.low.x) * i / 40,
-                          box.low.y + (box.high.y - box.low.y) * k / 10};
+            const Vec2 at{box.low.x + (box.high.x - box.low.x) * i / 40, box.low.y + (box.high.y - box.low.y) * k / 10};
             if (const auto near = surface->nearest(pattern::placed(*piece.placement, at), 0.2))
                 least = std::min(least, near->signedDistance);
         }
@@ -129,8 +126,7 @@ private slots:
 void tst_Arrange::onTheSameBodyNothingChanges() {
     for (const pattern::Pattern& pattern : {apron(), armlet()}) {
         const pattern::Pattern arranged = arrangedOn(pattern, usual(), usual());
-        const pattern::Placement &before = *pattern.pieces[0]->placement,
-                                 &after = *arranged.pieces[0]->placement;
+        const pattern::Placement &before = *pattern.pieces[0]->placement, &after = *arranged.pieces[0]->placement;
         constexpr double rounding = 1e-12;
         QVERIFY(geometry::distance(before.transform.origin, after.transform.origin) < rounding);
         QVERIFY(geometry::distance(before.transform.axisX, after.transform.axisX) < rounding);
@@ -144,8 +140,7 @@ void tst_Arrange::onAShiftedBodyPiecesGoAlong() {
     const Vec3 by{0.4, 0.1, -0.3};
     for (const pattern::Pattern& pattern : {apron(), armlet()}) {
         const pattern::Pattern arranged = arrangedOn(pattern, usual(), shifted(usual(), by));
-        QVERIFY(geometry::distance(originOf(arranged), originOf(pattern) + by) <
-                1e-9); // sections are cut anew
+        QVERIFY(geometry::distance(originOf(arranged), originOf(pattern) + by) < 1e-9); // sections are cut anew
     }
 }
 
@@ -156,8 +151,7 @@ void tst_Arrange::aPieceFollowsTheLimbThatItIsNearestTo() {
     const Vec3 d = originOf(arranged) - arm.origin;
     const double along = dot(d, arm.axisY) / body::limbLength(other, body::Limb::leftArm);
     QVERIFY(std::abs(along - 0.25 / body::limbLength(usual(), body::Limb::leftArm)) < 1e-9);
-    QVERIFY(std::abs(dot(arranged.pieces[0]->placement->transform.axisY, arm.axisY) + 1) <
-            1e-9); // still along it
+    QVERIFY(std::abs(dot(arranged.pieces[0]->placement->transform.axisY, arm.axisY) + 1) < 1e-9); // still along it
 }
 
 void tst_Arrange::onALargerBodyATubeIsWiderAndStaysClear() {

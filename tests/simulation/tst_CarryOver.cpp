@@ -18,7 +18,9 @@ meshing::PieceMesh meshOf(double spacing) {
     return meshing::meshGarment(*meshInputOf(pattern))->pieces[0];
 }
 
-Vec3 linear(Vec2 p) { return {0.1 + 2 * p.x - p.y, 0.5 * p.x + 3 * p.y, -0.2 - p.x + 0.25 * p.y}; }
+Vec3 linear(Vec2 p) {
+    return {0.1 + 2 * p.x - p.y, 0.5 * p.x + 3 * p.y, -0.2 - p.x + 0.25 * p.y};
+}
 
 std::vector<Vec3> linearField(const meshing::PieceMesh& mesh) {
     std::vector<Vec3> field;
@@ -56,7 +58,8 @@ void tst_CarryOver::onTheSameMeshEveryNodeKeepsItsPlace() {
         field.push_back({std::sin(12.9 * double(node)), std::cos(78.2 * double(node)), double(node % 7)});
     const DrapedPiece drape(mesh, field);
     for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
-        QVERIFY(geometry::distance(drape.at(mesh.nodes[node]), field[node]) < 1e-8); // −1e-9 counts as inside a triangle
+        QVERIFY(geometry::distance(drape.at(mesh.nodes[node]), field[node]) <
+                1e-8); // −1e-9 counts as inside a triangle
 }
 
 void tst_CarryOver::aLinearFieldIsReproducedOnAnotherMesh_data() {
@@ -86,7 +89,9 @@ void tst_CarryOver::outsideTheOldOutlineALinearFieldGoesOn() {
 void tst_CarryOver::aCurvedDrapeIsCarriedWithinTheErrorOfItsMesh() {
     const double spacing = 0.02, radius = 0.1;
     const meshing::PieceMesh mesh = meshOf(spacing), other = meshOf(0.007);
-    const auto rolled = [&](Vec2 p) { return Vec3{radius * std::sin(p.x / radius), p.y, radius * std::cos(p.x / radius)}; };
+    const auto rolled = [&](Vec2 p) {
+        return Vec3{radius * std::sin(p.x / radius), p.y, radius * std::cos(p.x / radius)};
+    };
     std::vector<Vec3> field;
     for (const Vec2 p : mesh.nodes) field.push_back(rolled(p));
     const DrapedPiece drape(mesh, field);

@@ -31,7 +31,9 @@ pattern::Pattern unevenPieces() {
     return pattern;
 }
 
-double massOf(const Garment& garment) { return std::accumulate(garment.model.mass.begin(), garment.model.mass.end(), 0.0); }
+double massOf(const Garment& garment) {
+    return std::accumulate(garment.model.mass.begin(), garment.model.mass.end(), 0.0);
+}
 
 /// ρ times the area of the meshed outline of every piece.
 double massOfOutlines(const pattern::Pattern& pattern) {

@@ -61,7 +61,9 @@ void tst_Openings::aLineThroughALoopCrossesItOnce() {
     QCOMPARE(crossings(circle(0), {{0.2, 1, 0.1}, {0.1, -1, 0.2}}), 1);
 }
 
-void tst_Openings::aLineBesideALoopDoesNotCrossIt() { QCOMPARE(crossings(circle(0), {{2, 1, 0}, {2, -1, 0}}), 0); }
+void tst_Openings::aLineBesideALoopDoesNotCrossIt() {
+    QCOMPARE(crossings(circle(0), {{2, 1, 0}, {2, -1, 0}}), 0);
+}
 
 void tst_Openings::aLineThroughAndBackCrossesTwice() {
     QCOMPARE(crossings(circle(0), {{0.2, 1, 0.1}, {0.3, -1, 0.1}, {0.5, 1, 0.3}}), 2);

@@ -47,12 +47,10 @@ pattern::Pattern sleeveAndArmhole() {
     pattern.fabrics.push_back(plainCloth());
     pattern.pieces.push_back(flatSleeve());
     for (const bool front : {true, false}) {
-        pattern::Piece panel =
-            polygonPiece(front ? "front" : "back", {{-0.2, 0}, {0, 0}, {0, 0.2}, {-0.2, 0.2}}, 0.02);
+        pattern::Piece panel = polygonPiece(front ? "front" : "back", {{-0.2, 0}, {0, 0}, {0, 0.2}, {-0.2, 0.2}}, 0.02);
         const double side =
             front ? 1 : -1; // e1 runs up the armhole at the front; at the back the panel is turned round
-        panel.placement =
-            pattern::Placement{{{side, 0, 0}, {0, 1, 0}, {0, 0, side}, {0.18, 1.2, 0.1 * side}}, {}};
+        panel.placement = pattern::Placement{{{side, 0, 0}, {0, 1, 0}, {0, 0, side}, {0.18, 1.2, 0.1 * side}}, {}};
         if (!front)
             for (auto& vertex : panel.outline.vertices) vertex.position.x += 0.2; // e3 is the armhole
         pattern.pieces.push_back(std::move(panel));
@@ -60,8 +58,7 @@ pattern::Pattern sleeveAndArmhole() {
     pattern.seams.push_back(underarm("sleeve"));
     pattern::Seam toFront = seamBetween("to front", "sleeve", "e2", "front", "e1"),
                   toBack = seamBetween("to back", "sleeve", "e2", "back", "e3");
-    toBack.sides[0][0].to =
-        0.5; // e2 runs from the right corner over the middle to the left one; on the left arm, seen
+    toBack.sides[0][0].to = 0.5; // e2 runs from the right corner over the middle to the left one; on the left arm, seen
     toFront.sides[0][0].from = 0.5; // from above with the shoulder at the top, the back is to the right
     pattern.seams.push_back(toFront);
     pattern.seams.push_back(toBack);
@@ -111,8 +108,7 @@ void tst_RollTubes::aSleeveIsRolledRoundItsArm() {
     QVERIFY(isClear(pointsOn(sleeve), *sleeve.placement, surface()));
     for (const Vec2 p : pointsOn(sleeve)) { // it lies round the arm's line
         const Vec3 at = pattern::placed(*sleeve.placement, p);
-        const Vec3 middle =
-            geometry::frameAlong(arm(), geometry::nearestArcLength(arm(), at), {0, 0, 1}).origin;
+        const Vec3 middle = geometry::frameAlong(arm(), geometry::nearestArcLength(arm(), at), {0, 0, 1}).origin;
         QVERIFY(std::abs(geometry::distance(at, middle) - sleeve.placement->curl->radius) < 0.005);
     }
     QVERIFY(longestGap(arranged, arranged.seams[0]) < 0.15);
@@ -133,9 +129,8 @@ void tst_RollTubes::aDartMakesNoTube() {
 void tst_RollTubes::itsSeamsAreAsShortAsTheyCanBe() {
     const pattern::Pattern arranged = rolledOnly(sleeveAndArmhole());
     const pattern::Placement& placement = *arranged.pieces[0]->placement;
-    QVERIFY(placement.transform.axisZ.y > 0.4); // the middle is uppermost
-    QVERIFY(pattern::placed(placement, {0, 0}).y >
-            pattern::placed(placement, {0, -0.3}).y); // its cap at the shoulder
+    QVERIFY(placement.transform.axisZ.y > 0.4);                                              // the middle is uppermost
+    QVERIFY(pattern::placed(placement, {0, 0}).y > pattern::placed(placement, {0, -0.3}).y); // its cap at the shoulder
     QVERIFY(pattern::placed(placement, {-0.1, 0}).z >
             pattern::placed(placement, {0.1, 0}).z); // the left half is the front's
 }

@@ -55,7 +55,8 @@ void tst_SeamClosing::twoSquaresAreSewn() {
         const auto& model = simulation->garment().model;
         largestMomentum = std::max(largestMomentum, length(dynamics::momentum(model, simulation->state())));
         double scale = 0;
-        for (int i = 0; i < model.particleCount(); ++i) scale += model.mass[i] * length(simulation->state().velocities[i]);
+        for (int i = 0; i < model.particleCount(); ++i)
+            scale += model.mass[i] * length(simulation->state().velocities[i]);
         momentumScale = std::max(momentumScale, scale);
         const double kinetic = dynamics::energies(model, simulation->state(), {}).kinetic;
         if (simulation->allSeamsMerged()) kineticRise = kinetic - kineticBefore;
@@ -65,8 +66,9 @@ void tst_SeamClosing::twoSquaresAreSewn() {
     const double gap = simulation->gapOf(0).maximum;
     const bool pass = merged && gap == 0 && largestMomentum <= 1e-12 * momentumScale && kineticRise <= 1e-12 &&
                       geometry::distance(start, centreOfMass()) < 1e-12;
-    std::printf("V21 two squares, gap 0.2 m: momentum %.1e of sum |m v|, gap after merge %.0e, gap at merge %.2f mm %s\n",
-                largestMomentum / momentumScale, gap, 1000 * simulation->seams()[0].gapAtMerge, pass ? "PASS" : "FAIL");
+    std::printf(
+        "V21 two squares, gap 0.2 m: momentum %.1e of sum |m v|, gap after merge %.0e, gap at merge %.2f mm %s\n",
+        largestMomentum / momentumScale, gap, 1000 * simulation->seams()[0].gapAtMerge, pass ? "PASS" : "FAIL");
     QVERIFY(merged);
     QCOMPARE(gap, 0.0);
     QVERIFY(largestMomentum <= 1e-12 * momentumScale);

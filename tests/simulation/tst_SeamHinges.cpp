@@ -11,7 +11,9 @@ using namespace toile::simulation;
 
 namespace {
 
-pattern::Pattern squares() { return twoSquares(0.05).pattern; } // four cells along the seam
+pattern::Pattern squares() {
+    return twoSquares(0.05).pattern;
+} // four cells along the seam
 
 /// The two squares with their seam merged at once.
 Garment sewn(const pattern::Pattern& pattern) {
@@ -19,7 +21,9 @@ Garment sewn(const pattern::Pattern& pattern) {
     return *makeGarment(pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), {true});
 }
 
-std::size_t cellsAlongTheSeam(const Garment& garment) { return garment.mesh->seams[0].pairs.size() - 1; }
+std::size_t cellsAlongTheSeam(const Garment& garment) {
+    return garment.mesh->seams[0].pairs.size() - 1;
+}
 
 } // namespace
 

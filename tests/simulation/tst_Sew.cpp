@@ -46,7 +46,9 @@ std::vector<std::string> leftOutOf(const SewReport& report) {
     return names;
 }
 
-bool holds(const std::vector<std::string>& names, const char* name) { return std::ranges::count(names, name) == 1; }
+bool holds(const std::vector<std::string>& names, const char* name) {
+    return std::ranges::count(names, name) == 1;
+}
 
 } // namespace
 
@@ -119,7 +121,8 @@ void tst_Sew::theLimitEndsARunThatDoesNotRest() {
 void tst_Sew::whatTheSceneDoesNotNeedIsNamedWithAReason() {
     const SewReport report = sewn(twoSquares(0.05), {.seconds = 0.05});
     const std::vector<std::string> names = leftOutOf(report);
-    for (const char* stage : {"body contact", "self-contact", "membrane cells", "membrane triangles", "seam hinges", "slaves", "pins"})
+    for (const char* stage :
+         {"body contact", "self-contact", "membrane cells", "membrane triangles", "seam hinges", "slaves", "pins"})
         QVERIFY2(holds(names, stage), stage);
     for (const char* stage : {"springs", "bending", "seams"}) QVERIFY2(!holds(names, stage), stage);
     for (const LeftOut& left : report.leftOut) QVERIFY(!left.why.empty());
@@ -170,14 +173,16 @@ void tst_Sew::aStopEndsTheRun() {
 void tst_Sew::theObserverSeesEveryFrameStep() {
     auto simulation = Simulation::create(curtain());
     std::vector<int> seen;
-    QVERIFY(sew(*simulation, {.seconds = 0.1}, {}, {}, [&](const Simulation& running) { seen.push_back(running.steps()); }));
+    QVERIFY(sew(*simulation, {.seconds = 0.1}, {}, {},
+                [&](const Simulation& running) { seen.push_back(running.steps()); }));
     QCOMPARE(seen, (std::vector<int>{1, 2, 3, 4, 5, 6}));
 }
 
 void tst_Sew::progressRises() {
     auto simulation = Simulation::create(curtain());
     std::vector<double> fractions;
-    QVERIFY(sew(*simulation, {.seconds = 0.2}, {}, [&](double fraction, const std::string&) { fractions.push_back(fraction); }));
+    QVERIFY(sew(*simulation, {.seconds = 0.2}, {},
+                [&](double fraction, const std::string&) { fractions.push_back(fraction); }));
     QVERIFY(fractions.size() >= 12);
     QVERIFY(std::ranges::is_sorted(fractions));
     QVERIFY(fractions.front() >= 0 && fractions.back() <= 1);

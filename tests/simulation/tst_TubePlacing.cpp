@@ -134,8 +134,7 @@ void tst_TubePlacing::theMiddleLinesKeepTheirLength() {
     constexpr double tolerance = 1e-3; // steps of a centimetre along the line
     QVERIFY(std::abs(lengthAt(0) - 0.3) < tolerance);
     QVERIFY(std::abs(lengthAt(quarter) + lengthAt(-quarter) - 0.6) < tolerance);
-    QVERIFY(std::abs(std::abs(lengthAt(quarter) - lengthAt(-quarter)) - 0.6 * place.radius / bend) <
-            tolerance);
+    QVERIFY(std::abs(std::abs(lengthAt(quarter) - lengthAt(-quarter)) - 0.6 * place.radius / bend) < tolerance);
 }
 
 void tst_TubePlacing::itsRightSideFacesOutward() {
@@ -169,8 +168,7 @@ void tst_TubePlacing::theMiddleOfThePieceFacesWhereItIsAsked() {
         place.middle = 0.13;
         const pattern::Placement placement = placedRound(limb, place, -0.3, 0);
         const Vec3 onLine = geometry::frameAlong(limb, place.at, place.upper).origin;
-        QVERIFY(geometry::distance(pattern::placed(placement, {0.13, 0}) - onLine, Vec3{place.radius, 0, 0}) <
-                1e-4);
+        QVERIFY(geometry::distance(pattern::placed(placement, {0.13, 0}) - onLine, Vec3{place.radius, 0, 0}) < 1e-4);
     }
 }
 
@@ -198,8 +196,7 @@ void tst_TubePlacing::beyondTheWristATubeIsMovedUp() {
         return geometry::nearestArcLength(line, p.transform.point({0, 0, -p.curl->radius}));
     };
     place.at = 0.18;
-    QVERIFY(placeOf(*clearRound(line, 0.1, place, points, limb)) <
-            0); // it would reach beyond an end at 0.1: up
+    QVERIFY(placeOf(*clearRound(line, 0.1, place, points, limb)) < 0); // it would reach beyond an end at 0.1: up
     place.at = 0.34;
     QVERIFY(placeOf(*clearRound(line, whole, place, points, limb)) > whole); // it would not: down
 }

@@ -86,11 +86,14 @@ WornReport verdictOn(const Drape& drape) {
 }
 
 bool says(const WornReport& report, const std::string& words) {
-    return std::ranges::any_of(report.why, [&](const std::string& why) { return why.find(words) != std::string::npos; });
+    return std::ranges::any_of(report.why,
+                               [&](const std::string& why) { return why.find(words) != std::string::npos; });
 }
 
 /// A skirt: round the trunk between 0.6 and 1.0 m.
-Drape skirt() { return tube({0, 0.6, 0}, 0.4, 0.13); }
+Drape skirt() {
+    return tube({0, 0.6, 0}, 0.4, 0.13);
+}
 
 } // namespace
 
@@ -136,7 +139,8 @@ void tst_Worn::aTubeRoundTheTrunkIsWorn() {
 }
 
 void tst_Worn::whereNeckAndTorsoOverlapAnOpeningIsCrossedOnce() {
-    for (const OpeningReport& opening : verdictOn(tube({0, 1.2, 0}, 0.15, 0.13)).openings) QCOMPARE(opening.crossings, 1);
+    for (const OpeningReport& opening : verdictOn(tube({0, 1.2, 0}, 0.15, 0.13)).openings)
+        QCOMPARE(opening.crossings, 1);
 }
 
 void tst_Worn::aHemInDeepFoldsIsCrossedOnce() {
@@ -151,7 +155,8 @@ void tst_Worn::aHemInDeepFoldsIsCrossedOnce() {
 }
 
 void tst_Worn::aTubeRoundAnArmIsNamedAfterIt() {
-    const WornReport left = verdictOn(tube({0.3, 0.8, 0}, 0.3, 0.06)), right = verdictOn(tube({-0.3, 0.8, 0}, 0.3, 0.06));
+    const WornReport left = verdictOn(tube({0.3, 0.8, 0}, 0.3, 0.06)),
+                     right = verdictOn(tube({-0.3, 0.8, 0}, 0.3, 0.06));
     for (const OpeningReport& opening : left.openings) QCOMPARE(opening.name, std::string("left arm"));
     for (const OpeningReport& opening : right.openings) QCOMPARE(opening.name, std::string("right arm"));
 }
@@ -253,12 +258,16 @@ void tst_Worn::wovenClothThatIsStretchedIsSaid_data() {
     QTest::addColumn<double>("weftMaximum");
     QTest::addColumn<QString>("sentence"); // empty: worn
     QTest::newRow("just within the limits") << 0.0199 << 0.0199 << 0.0499 << 0.0499 << "";
-    QTest::newRow("much of it, along warp") << 0.021 << 0.010 << 0.030 << 0.030
-                                            << "A hundredth of the woven cloth is stretched by more than 2.1 % along its warp.";
-    QTest::newRow("much of it, along weft") << 0.010 << 0.021 << 0.030 << 0.030
-                                            << "A hundredth of the woven cloth is stretched by more than 2.1 % along its weft.";
-    QTest::newRow("a spot, along warp") << 0.010 << 0.010 << 0.051 << 0.030 << "Woven cloth is stretched by 5.1 % along its warp.";
-    QTest::newRow("a spot, along weft") << 0.010 << 0.010 << 0.030 << 0.051 << "Woven cloth is stretched by 5.1 % along its weft.";
+    QTest::newRow("much of it, along warp")
+        << 0.021 << 0.010 << 0.030 << 0.030
+        << "A hundredth of the woven cloth is stretched by more than 2.1 % along its warp.";
+    QTest::newRow("much of it, along weft")
+        << 0.010 << 0.021 << 0.030 << 0.030
+        << "A hundredth of the woven cloth is stretched by more than 2.1 % along its weft.";
+    QTest::newRow("a spot, along warp") << 0.010 << 0.010 << 0.051 << 0.030
+                                        << "Woven cloth is stretched by 5.1 % along its warp.";
+    QTest::newRow("a spot, along weft") << 0.010 << 0.010 << 0.030 << 0.051
+                                        << "Woven cloth is stretched by 5.1 % along its weft.";
 }
 
 void tst_Worn::wovenClothThatIsStretchedIsSaid() {
@@ -268,7 +277,9 @@ void tst_Worn::wovenClothThatIsStretchedIsSaid() {
     QFETCH(double, weftMaximum);
     QFETCH(QString, sentence);
     Drape drape = skirt();
-    drape.wovenStrain = {.warpMaximum = warpMaximum, .weftMaximum = weftMaximum, .warpPercentile99 = warpPercentile99,
+    drape.wovenStrain = {.warpMaximum = warpMaximum,
+                         .weftMaximum = weftMaximum,
+                         .warpPercentile99 = warpPercentile99,
                          .weftPercentile99 = weftPercentile99};
     const WornReport report = verdictOn(drape);
     QCOMPARE(report.worn, sentence.isEmpty());

@@ -13,17 +13,21 @@ namespace toile::ui {
 /// A rectangle on the table, its origin in its middle.
 inline document::Document withRectangle(const document::Document& document, const char* name, Vec2 middle, double width,
                                         double height) {
-    auto edited = document::edited(document, [&](const pattern::Pattern& p, pattern::IdSource& ids) -> Result<pattern::Pattern> {
-        const std::array<Vec2, 4> corners{{{-width / 2, -height / 2}, {width / 2, -height / 2}, {width / 2, height / 2}, {-width / 2, height / 2}}};
-        auto outline = contourThrough(corners, {}, ids);
-        if (!outline) return tl::unexpected(outline.error());
-        pattern::Piece piece;
-        piece.id = ids.take<pattern::PieceId>();
-        piece.name = name;
-        piece.outline = std::move(*outline);
-        piece.tablePosition = middle;
-        return addPiece(p, std::move(piece));
-    });
+    auto edited =
+        document::edited(document, [&](const pattern::Pattern& p, pattern::IdSource& ids) -> Result<pattern::Pattern> {
+            const std::array<Vec2, 4> corners{{{-width / 2, -height / 2},
+                                               {width / 2, -height / 2},
+                                               {width / 2, height / 2},
+                                               {-width / 2, height / 2}}};
+            auto outline = contourThrough(corners, {}, ids);
+            if (!outline) return tl::unexpected(outline.error());
+            pattern::Piece piece;
+            piece.id = ids.take<pattern::PieceId>();
+            piece.name = name;
+            piece.outline = std::move(*outline);
+            piece.tablePosition = middle;
+            return addPiece(p, std::move(piece));
+        });
     return std::move(*edited);
 }
 

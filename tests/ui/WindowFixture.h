@@ -33,9 +33,8 @@ struct Bench {
 
     explicit Bench(const QString& recoveryFolder = {})
         : workbench(realParts(recoveryFolder)),
-          window(
-              workbench,
-              {writeDrapeOf, {qEnvironmentVariable("TOILE_SOURCE_DIR") + QStringLiteral("/samples")}, {}}) {
+          window(workbench,
+                 {writeDrapeOf, {qEnvironmentVariable("TOILE_SOURCE_DIR") + QStringLiteral("/samples")}, {}}) {
         window.resize(1400, 860);
         window.show();
         (void)QTest::qWaitForWindowExposed(&window);
@@ -43,13 +42,10 @@ struct Bench {
     }
 
     // -- the pattern
-    void look(Vec2 centre, double scale) {
-        window.patternView().setView({centre, scale, window.patternView().size()});
-    }
+    void look(Vec2 centre, double scale) { window.patternView().setView({centre, scale, window.patternView().size()}); }
     QPoint pixel(Vec2 at) { return window.patternView().view().toScreen(at).toPoint(); }
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-        QApplication::setActiveWindow(
-            &window); // without a window manager nobody else does, and only it gets shortcuts
+        QApplication::setActiveWindow(&window); // without a window manager nobody else does, and only it gets shortcuts
         QTest::keyClick(&window, key, modifiers);
     }
     void toolKey(Qt::Key key) { QTest::keyClick(&window.patternView(), key); }
@@ -135,8 +131,7 @@ private:
         QTest::mouseMove(&view, way.front());
         QTest::mousePress(&view, Qt::LeftButton, modifiers, way.front());
         for (const QPoint at : way) {
-            QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
-                              modifiers);
+            QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, modifiers);
             QApplication::sendEvent(&view, &event);
         }
         if (beforeTheEnd) beforeTheEnd();

@@ -45,10 +45,8 @@ void use(Hand& hand, const Item& item, const QString& name, Value... value) {
     const auto row = std::ranges::find(sheet.rows, name, &PropertyRow::name);
     QVERIFY2(row != sheet.rows.end(), qPrintable(name));
     const auto result = [&] {
-        if constexpr (sizeof...(value) == 0)
-            return std::get<Row>(row->content).act(hand.document);
-        else
-            return std::get<Row>(row->content).set(hand.document, value...);
+        if constexpr (sizeof...(value) == 0) return std::get<Row>(row->content).act(hand.document);
+        else return std::get<Row>(row->content).set(hand.document, value...);
     }();
     QVERIFY(result);
     hand.document = *result;
@@ -149,9 +147,7 @@ void tst_DetailTools::shiftKeepsADartUpright() {
     hand.click(tool, {0.02, 0.15});
     hand.click(tool, {0.05, 0.05}, shift);
     const auto& vertices = hand.piece(0).outline.vertices;
-    QVERIFY(std::ranges::any_of(vertices, [](const auto& v) {
-        return distance(v.position, {0.02, 0.05}) < 1e-6;
-    }));
+    QVERIFY(std::ranges::any_of(vertices, [](const auto& v) { return distance(v.position, {0.02, 0.05}) < 1e-6; }));
 }
 
 void tst_DetailTools::aDartThatDoesNotFitIsRefusedAndKept() {
@@ -188,8 +184,7 @@ void tst_DetailTools::theEdgeSheetDeletesAHole() {
     Hand hand{twoRectangles()};
     for (const Vec2 corner : holeCorners) hand.click(tool, corner);
     hand.key(tool, ToolKey::enter);
-    use<ActionRow>(hand, EdgeRef{hand.piece(0).id, hand.piece(0).holes[0].edges[2].id},
-                   QStringLiteral("removeHole"));
+    use<ActionRow>(hand, EdgeRef{hand.piece(0).id, hand.piece(0).holes[0].edges[2].id}, QStringLiteral("removeHole"));
     QVERIFY(hand.piece(0).holes.empty());
 }
 

@@ -177,7 +177,8 @@ void tst_DrawingTools::doubleClickOnAnEdgeInsertsAPointThere() {
     QVERIFY(selected);
     const auto place = placeOf(hand.piece(0), selected->vertex);
     QVERIFY(place);
-    QVERIFY(distance(hand.piece(0).outline.vertices[place->vertex].position, {0.1, 0.03}) < 1e-6); // search along the edge
+    QVERIFY(distance(hand.piece(0).outline.vertices[place->vertex].position, {0.1, 0.03}) <
+            1e-6); // search along the edge
 }
 
 void tst_DrawingTools::deleteTakesSelectedPointsOut() {

@@ -58,8 +58,7 @@ bool crashAfterAnEdit(const QString& recoveryFolder) {
     parts.recoveryDelay = std::chrono::milliseconds(1);
     Workbench workbench(std::move(parts));
     workbench.apply({QStringLiteral("Draw"), twoRectangles()});
-    while (workbench.journal() &&
-           QDir(recoveryFolder).entryList({QStringLiteral("*.txt")}, QDir::Files).isEmpty())
+    while (workbench.journal() && QDir(recoveryFolder).entryList({QStringLiteral("*.txt")}, QDir::Files).isEmpty())
         QCoreApplication::processEvents();
     std::raise(SIGKILL);
     std::abort();
@@ -126,8 +125,8 @@ void tst_FileCommands::aBrokenFileIsRefusedWithASentence() {
         sentence = box.informativeText();
         box.accept();
     });
-    QVERIFY(!bench.window.files().openFile(
-        written(folder, "broken.toile", "{\"format\": \"toile\", \"version\": 1, ")));
+    QVERIFY(
+        !bench.window.files().openFile(written(folder, "broken.toile", "{\"format\": \"toile\", \"version\": 1, ")));
     QVERIFY(sentence.contains(QStringLiteral("broken.toile")));
     QVERIFY(bench.workbench.document() == twoRectangles()); // what was open stays
 }

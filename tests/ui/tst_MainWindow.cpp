@@ -147,7 +147,8 @@ void tst_MainWindow::theMouseInSpaceFollowsTheUsersHabits() {
         View3D& view = bench.window.view3D();
         const double before = view.camera().yaw;
         QTest::mousePress(&view, button, {}, {100, 100});
-        QMouseEvent move(QEvent::MouseMove, QPointF(150, 100), view.mapToGlobal(QPointF(150, 100)), Qt::NoButton, button, Qt::NoModifier);
+        QMouseEvent move(QEvent::MouseMove, QPointF(150, 100), view.mapToGlobal(QPointF(150, 100)), Qt::NoButton,
+                         button, Qt::NoModifier);
         QApplication::sendEvent(&view, &move);
         QTest::mouseRelease(&view, button, {}, {150, 100});
         return view.camera().yaw != before;
@@ -193,14 +194,17 @@ void tst_MainWindow::detailsDrawnByHandAreMeshedAndSewn() {
     bench.picture("details.png");
     QTRY_VERIFY(bench.workbench.frame() && bench.workbench.frame()->largestSeamGap > 0.02); // the mouths are open
     bench.key(Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.workbench.frame()->time > 1.5 && bench.workbench.frame()->largestSeamGap == 0, 120000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.workbench.frame()->time > 1.5 && bench.workbench.frame()->largestSeamGap == 0,
+                             120000);
     bench.picture("details-sewn.png");
     bench.key(Qt::Key_Space);
 }
 
 void tst_MainWindow::fabricsAreAddedDuplicatedAndDeleted() {
     Bench bench;
-    const auto fabrics = [&]() -> auto& { return bench.pattern().fabrics; };
+    const auto fabrics = [&]() -> auto& {
+        return bench.pattern().fabrics;
+    };
     QCOMPARE(fabrics().size(), std::size_t(1)); // a new document has one
     QAction* first = bench.find<QMenu>("fabricMenu")->actions().front();
     first->trigger();

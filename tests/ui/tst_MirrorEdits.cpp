@@ -71,16 +71,15 @@ void tst_MirrorEdits::aDraggedPointFollowsThePointer() {
     Hand hand = withImage();
     hand.drag(tool, {0.3, 0.15}, {0.32, 0.17});
     QVERIFY(hasCorner(image(hand), {0.32, 0.17}));
-    QVERIFY(distance(hand.piece(0).outline.vertices[2].position, {0.08, 0.17}) <
-            1e-9); // the source's opposite corner
+    QVERIFY(distance(hand.piece(0).outline.vertices[2].position, {0.08, 0.17}) < 1e-9); // the source's opposite corner
 }
 
 void tst_MirrorEdits::aDraggedHandleFollowsThePointer() {
     EditPoints tool;
     Hand hand = withImage();
     const auto& source = hand.piece(0);
-    hand.document = *document::edited(
-        hand.document, [&](const pattern::Pattern& p, pattern::IdSource&) { // its right side
+    hand.document =
+        *document::edited(hand.document, [&](const pattern::Pattern& p, pattern::IdSource&) { // its right side
             return setEdgeShape(p, source.id, source.outline.edges[1].id,
                                 geometry::CubicShape{{0.12, -0.05}, {0.12, 0.05}});
         });

@@ -31,17 +31,12 @@ void tst_Navigation::buttonsMeanWhatTheHabitsSay_data() {
     row("CLO: middle drag pans", CameraHabits::clo, {.middle = true}, CameraMotion::pan);
     row("CLO: left drag is for tools", CameraHabits::clo, {.left = true}, CameraMotion::none);
     row("Blender: middle drag orbits", CameraHabits::blender, {.middle = true}, CameraMotion::orbit);
-    row("Blender: with Shift it pans", CameraHabits::blender, {.middle = true, .shift = true},
-        CameraMotion::pan);
-    row("Blender: with Ctrl it zooms", CameraHabits::blender, {.middle = true, .control = true},
-        CameraMotion::zoom);
+    row("Blender: with Shift it pans", CameraHabits::blender, {.middle = true, .shift = true}, CameraMotion::pan);
+    row("Blender: with Ctrl it zooms", CameraHabits::blender, {.middle = true, .control = true}, CameraMotion::zoom);
     row("Blender: right drag is free", CameraHabits::blender, {.right = true}, CameraMotion::none);
-    row("Maya: Alt and left drag orbit", CameraHabits::maya, {.left = true, .alt = true},
-        CameraMotion::orbit);
-    row("Maya: Alt and middle drag pan", CameraHabits::maya, {.middle = true, .alt = true},
-        CameraMotion::pan);
-    row("Maya: Alt and right drag zoom", CameraHabits::maya, {.right = true, .alt = true},
-        CameraMotion::zoom);
+    row("Maya: Alt and left drag orbit", CameraHabits::maya, {.left = true, .alt = true}, CameraMotion::orbit);
+    row("Maya: Alt and middle drag pan", CameraHabits::maya, {.middle = true, .alt = true}, CameraMotion::pan);
+    row("Maya: Alt and right drag zoom", CameraHabits::maya, {.right = true, .alt = true}, CameraMotion::zoom);
     row("Maya: without Alt left drag is for tools", CameraHabits::maya, {.left = true}, CameraMotion::none);
 }
 

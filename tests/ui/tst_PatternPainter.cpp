@@ -15,7 +15,8 @@ QImage paintedImage(const document::Document& document, const MeshLines& mesh = 
     const FlatPattern flat = flattened(document.pattern);
     QImage image(400, 400, QImage::Format_ARGB32);
     QPainter painter(&image);
-    paint(painter, fitted({{}, 1000, {400, 400}}, boundsOf(flat), 40), {document.pattern, flat, mesh, selection, {}, overlay, look});
+    paint(painter, fitted({{}, 1000, {400, 400}}, boundsOf(flat), 40),
+          {document.pattern, flat, mesh, selection, {}, overlay, look});
     return image;
 }
 
@@ -42,7 +43,9 @@ private Q_SLOTS:
     void chineseIsNotBoxes();
 };
 
-void tst_PatternPainter::piecesAreSeen() { QVERIFY(different(paintedImage(twoRectangles()), paintedImage({})) > 400 * 40); }
+void tst_PatternPainter::piecesAreSeen() {
+    QVERIFY(different(paintedImage(twoRectangles()), paintedImage({})) > 400 * 40);
+}
 
 void tst_PatternPainter::meshLinesAreSeenUnlessTooDense() {
     MeshLines mesh(2);
@@ -83,7 +86,8 @@ void tst_PatternPainter::pinsAreSeenAlsoWhilePointsAre() {
     for (const bool points : {false, true}) {
         PatternLook look;
         look.vertices = points;
-        QVERIFY(different(paintedImage(document, {}, {}, {}, look), paintedImage(twoRectangles(), {}, {}, {}, look)) > 80);
+        QVERIFY(different(paintedImage(document, {}, {}, {}, look), paintedImage(twoRectangles(), {}, {}, {}, look)) >
+                80);
     }
 }
 

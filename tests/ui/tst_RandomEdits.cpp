@@ -44,36 +44,29 @@ struct Monkey {
         const geometry::Polygon& outline = piece.outline.polygon;
         const Vec2 corner = oneOf(outline);
         switch (random() % 3) {
-        case 0:
-            return corner;
-        case 1:
-            return lerp(corner, oneOf(outline), 0.5);
-        default:
-            return lerp(corner, (boundsOf(piece).low + boundsOf(piece).high) * 0.5, between(0, 1));
+        case 0: return corner;
+        case 1: return lerp(corner, oneOf(outline), 0.5);
+        default: return lerp(corner, (boundsOf(piece).low + boundsOf(piece).high) * 0.5, between(0, 1));
         }
     }
     void useATool() {
-        static const char* tools[] = {"tool.transform",    "tool.editPoints",   "tool.drawPiece",
-                                      "tool.internalLine", "tool.paintPolygon", "tool.paintBrush",
-                                      "tool.sewSegments",  "tool.sewFree",      "tool.editSewing",
-                                      "tool.notch",        "tool.dart",         "tool.hole"};
+        static const char* tools[] = {"tool.transform",    "tool.editPoints", "tool.drawPiece",   "tool.internalLine",
+                                      "tool.paintPolygon", "tool.paintBrush", "tool.sewSegments", "tool.sewFree",
+                                      "tool.editSewing",   "tool.notch",      "tool.dart",        "tool.hole"};
         bench.action(oneOf(tools))->trigger();
         for (int i = static_cast<int>(random() % 5); i >= 0; --i) {
-            if (random() % 3 == 0)
-                bench.drag(somewhere(), somewhere());
-            else
-                bench.click(somewhere(), random() % 4 == 0 ? Qt::ShiftModifier : Qt::NoModifier);
+            if (random() % 3 == 0) bench.drag(somewhere(), somewhere());
+            else bench.click(somewhere(), random() % 4 == 0 ? Qt::ShiftModifier : Qt::NoModifier);
         }
         static const Qt::Key keys[] = {Qt::Key_Return, Qt::Key_Return, Qt::Key_Escape, Qt::Key_Backspace,
                                        Qt::Key_Delete};
         if (random() % 3 == 0) bench.toolKey(oneOf(keys));
     }
     void triggerAnAction() {
-        static const char* actions[] = {
-            "edit.undo",        "edit.redo",        "edit.delete",     "edit.layOut",
-            "place.front",      "place.back",       "place.left",      "place.right",
-            "avatar.mannequin", "avatar.remove",    "view.fitAll",     "view.top",
-            "look.mesh",        "look3d.meshLines", "simulation.step", "simulation.reset"};
+        static const char* actions[] = {"edit.undo",        "edit.redo",        "edit.delete",     "edit.layOut",
+                                        "place.front",      "place.back",       "place.left",      "place.right",
+                                        "avatar.mannequin", "avatar.remove",    "view.fitAll",     "view.top",
+                                        "look.mesh",        "look3d.meshLines", "simulation.step", "simulation.reset"};
         bench.action(oneOf(actions))->trigger();
     }
     void changeAProperty() {
@@ -91,10 +84,8 @@ struct Monkey {
                                  : number->value() * between(0.8, 1.25) + between(-1, 1));
         else if (auto* choice = qobject_cast<QComboBox*>(widget); choice && choice->count() > 0)
             Q_EMIT choice->activated(static_cast<int>(random() % static_cast<unsigned>(choice->count())));
-        else if (auto* flag = qobject_cast<QCheckBox*>(widget))
-            flag->toggle();
-        else if (auto* button = qobject_cast<QPushButton*>(widget))
-            button->click();
+        else if (auto* flag = qobject_cast<QCheckBox*>(widget)) flag->toggle();
+        else if (auto* button = qobject_cast<QPushButton*>(widget)) button->click();
     }
     void drawAPiece() { // so that it does not run out of cloth
         bench.action("tool.drawPiece")->trigger();
@@ -104,16 +95,13 @@ struct Monkey {
     }
     void doSomething() {
         switch (random() % 8) {
-        case 0:
-            return triggerAnAction();
+        case 0: return triggerAnAction();
         case 1:
-        case 2:
-            return changeAProperty();
+        case 2: return changeAProperty();
         case 3:
             if (bench.pattern().pieces.size() < 4) return drawAPiece();
             [[fallthrough]];
-        default:
-            return useATool();
+        default: return useATool();
         }
     }
 };

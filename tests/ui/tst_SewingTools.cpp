@@ -188,11 +188,11 @@ void tst_SewingTools::aSingleEdgePickedInItsMiddleIsSewnRightSideToRightSide() {
 void tst_SewingTools::backspaceTakesTheLastPickBack() {
     SewSegments tool;
     Hand hand{twoRectangles()};
-    hand.click(tool, {0.1, -0.1});          // side one
-    hand.click(tool, {0.2, -0.1}, shift);   // side two …
+    hand.click(tool, {0.1, -0.1});        // side one
+    hand.click(tool, {0.2, -0.1}, shift); // side two …
     hand.key(tool, ToolKey::backspace);
-    hand.key(tool, ToolKey::backspace);     // … and side one are taken back
-    hand.click(tool, {0.2, -0.1});          // side one again
+    hand.key(tool, ToolKey::backspace); // … and side one are taken back
+    hand.click(tool, {0.2, -0.1});      // side one again
     QVERIFY(hand.document.pattern.seams.empty());
     hand.click(tool, {0.1, -0.1});
     QCOMPARE(hand.document.pattern.seams.size(), std::size_t(1));
@@ -256,7 +256,8 @@ void tst_SewingTools::cornersMakeARegion() {
     PaintOptions options{.refinement = 2};
     PaintPolygon tool(options);
     Hand hand{twoRectangles()};
-    for (const Vec2 at : {Vec2{0.25, -0.05}, {0.35, -0.05}, {0.35, 0.05}, {0.25, 0.05}, {0.25, -0.05}}) hand.click(tool, at);
+    for (const Vec2 at : {Vec2{0.25, -0.05}, {0.35, -0.05}, {0.35, 0.05}, {0.25, 0.05}, {0.25, -0.05}})
+        hand.click(tool, at);
     QCOMPARE(hand.piece(1).regions.size(), std::size_t(1));
     const pattern::Region& region = hand.piece(1).regions[0];
     QCOMPARE(region.refinement, 2);

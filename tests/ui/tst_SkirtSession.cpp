@@ -58,8 +58,7 @@ void tst_SkirtSession::aSkirtIsDrawnPaintedSewnOnTheMannequinSavedAndReloaded() 
 void tst_SkirtSession::drawPieces(Bench& bench) {
     bench.key(Qt::Key_D, Qt::ShiftModifier);
     for (const double left : lefts) {
-        for (const Vec2 at :
-             {Vec2{left, 0}, {left + hem, 0}, {left + hem - slant, height}, {left + slant, height}})
+        for (const Vec2 at : {Vec2{left, 0}, {left + hem, 0}, {left + hem - slant, height}, {left + slant, height}})
             bench.click(at);
         bench.toolKey(Qt::Key_Return);
     }
@@ -71,8 +70,7 @@ void tst_SkirtSession::paintTheHem(Bench& bench) {
     bench.drag({0.2, 0.12}, {0.42, 0.12}, [&] { bench.picture("painting-a-region.png"); });
     QCOMPARE(bench.pattern().pieces[0]->regions.size(), std::size_t(1));
     QTRY_COMPARE(bench.workbench.mesh().size(), std::size_t(2)); // meshed on its own thread
-    QTRY_VERIFY(bench.workbench.mesh()[0].lines.size() >
-                bench.workbench.mesh()[1].lines.size()); // the region is finer
+    QTRY_VERIFY(bench.workbench.mesh()[0].lines.size() > bench.workbench.mesh()[1].lines.size()); // the region is finer
 }
 
 void tst_SkirtSession::sewTheSides(Bench& bench) {

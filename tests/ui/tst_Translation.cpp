@@ -45,8 +45,7 @@ document::Document garment() {
         const pattern::Piece &front = *p.pieces[0], &back = *p.pieces[1];
         return addRegion(p, front.id, {{-0.05, -0.05}, {0.05, -0.05}, {0, 0.05}}, "1", 1, ids)
             .and_then([&](const pattern::Pattern& next) {
-                return addSeam(next, {front.id, front.outline.edges[1].id},
-                               {back.id, back.outline.edges[3].id}, ids);
+                return addSeam(next, {front.id, front.outline.edges[1].id}, {back.id, back.outline.edges[3].id}, ids);
             })
             .and_then([&](const pattern::Pattern& next) {
                 return addNotch(next, front.id, {front.outline.edges[1].id, 0.5});
@@ -94,8 +93,7 @@ void tst_Translation::everyCommandIsTranslated() {
 void tst_Translation::everyHintIsTranslated() {
     install();
     const ToolBox tools;
-    for (const ToolBox::Entry& entry : tools.entries())
-        QVERIFY2(isChinese(entry.tool->hint()), qPrintable(entry.id));
+    for (const ToolBox::Entry& entry : tools.entries()) QVERIFY2(isChinese(entry.tool->hint()), qPrintable(entry.id));
 }
 
 void tst_Translation::everyPropertyIsTranslated() {
@@ -106,10 +104,9 @@ void tst_Translation::everyPropertyIsTranslated() {
     document.pattern.fabrics.push_back(Shared<material::Fabric>(fabric));
     const FlatPattern flat = flattened(document.pattern);
     const pattern::Piece& front = *document.pattern.pieces[0];
-    for (const Item& item : Selection{front.id, EdgeRef{front.id, front.outline.edges[1].id},
-                                      VertexRef{front.id, front.outline.vertices[0].id},
-                                      RegionRef{front.id, front.regions[0].id}, document.pattern.seams[0].id,
-                                      fabric.id, SceneItem{}}) {
+    for (const Item& item : Selection{
+             front.id, EdgeRef{front.id, front.outline.edges[1].id}, VertexRef{front.id, front.outline.vertices[0].id},
+             RegionRef{front.id, front.regions[0].id}, document.pattern.seams[0].id, fabric.id, SceneItem{}}) {
         const PropertySheet sheet = sheetOf({document, flat, {item}}, {});
         QVERIFY2(isChinese(sheet.title), qPrintable(sheet.title));
         for (const PropertyRow& row : sheet.rows) {
@@ -120,8 +117,7 @@ void tst_Translation::everyPropertyIsTranslated() {
                 for (const QString& text : choice->choices) QVERIFY2(isChinese(text), qPrintable(text));
         }
     }
-    for (const ObjectGroup& group : objectsOf(document))
-        QVERIFY2(isChinese(group.title), qPrintable(group.title));
+    for (const ObjectGroup& group : objectsOf(document)) QVERIFY2(isChinese(group.title), qPrintable(group.title));
 }
 
 QTEST_MAIN(tst_Translation)

@@ -18,10 +18,8 @@ simulation::Frame twoSquares() {
     simulation::FrameTopology topology;
     simulation::Frame frame;
     for (const double x : {-0.5, 0.1}) {
-        const int v = static_cast<int>(frame.positions.size()),
-                  t = static_cast<int>(topology.triangles.size());
-        frame.positions.insert(frame.positions.end(),
-                               {{x, 0.8, 0}, {x + 0.4, 0.8, 0}, {x + 0.4, 1.2, 0}, {x, 1.2, 0}});
+        const int v = static_cast<int>(frame.positions.size()), t = static_cast<int>(topology.triangles.size());
+        frame.positions.insert(frame.positions.end(), {{x, 0.8, 0}, {x + 0.4, 0.8, 0}, {x + 0.4, 1.2, 0}, {x, 1.2, 0}});
         topology.triangles.insert(topology.triangles.end(), {{v, v + 1, v + 2}, {v, v + 2, v + 3}});
         topology.pieces.push_back({x < 0 ? "left" : "right", "", v, 4, t, 2});
     }
@@ -106,9 +104,7 @@ private slots:
     void sizesOfOnePixelAreSurvived();
 
 private:
-    static bool canDraw() {
-        return probeGraphics().path == GraphicsPath::window || picture::OffscreenGl::create();
-    }
+    static bool canDraw() { return probeGraphics().path == GraphicsPath::window || picture::OffscreenGl::create(); }
 };
 
 void tst_View3D::showsAPicture() {
@@ -159,8 +155,7 @@ void tst_View3D::aClickBesideTheClothGivesNoPiece() {
 
 void tst_View3D::clothBehindTheBodyIsNotClicked() {
     const auto view = shownView();
-    view->setBody(
-        Shared(body::Body{.mesh = {{{-0.5, 0.8, 0.1}, {0, 0.8, 0.1}, {-0.3, 1.3, 0.1}}, {{0, 1, 2}}}}));
+    view->setBody(Shared(body::Body{.mesh = {{{-0.5, 0.8, 0.1}, {0, 0.8, 0.1}, {-0.3, 1.3, 0.1}}, {{0, 1, 2}}}}));
     const Clicks clicks(*view);
     QTest::mouseClick(view.get(), Qt::LeftButton, {}, seenAt(*view, {-0.3, 1, 0}));
     QCOMPARE(clicks.ids, std::vector<std::string>{""});
@@ -191,8 +186,8 @@ void tst_View3D::theWheelZoomsToThePointer() {
     const auto view = shownView();
     const Vec3 held = screenToWorld(view->camera(), view->viewport(), {100, 80}, view->camera().target);
     const double before = view->camera().distance;
-    QWheelEvent event({100, 80}, view->mapToGlobal(QPointF(100, 80)), {}, {0, 120}, Qt::NoButton,
-                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QWheelEvent event({100, 80}, view->mapToGlobal(QPointF(100, 80)), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
     QApplication::sendEvent(view.get(), &event);
     QVERIFY(view->camera().distance < before);
     QCOMPARE(seenAt(*view, held), QPoint(100, 80));
@@ -246,8 +241,8 @@ void tst_View3D::escapeEndsADragWithThePlacementFromBefore() {
     const Drags drags(*view);
     const QPoint tip = seenAt(*view, {0.3, 1, 0}) - QPoint(0, 85);
     QTest::mousePress(view.get(), Qt::LeftButton, {}, tip);
-    QMouseEvent move(QEvent::MouseMove, tip - QPointF(0, 20), view->mapToGlobal(tip - QPointF(0, 20)),
-                     Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QMouseEvent move(QEvent::MouseMove, tip - QPointF(0, 20), view->mapToGlobal(tip - QPointF(0, 20)), Qt::NoButton,
+                     Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(view.get(), &move);
     QTest::keyClick(view.get(), Qt::Key_Escape);
     QCOMPARE(drags.all.size(), std::size_t{2});
@@ -263,9 +258,8 @@ void tst_View3D::aPlacementSetDuringADragDoesNotDisturbIt() {
     view->setGizmo(Transform{});
     const Drags drags(*view);
     // As a window does: what is dragged comes back as the document's placement.
-    QObject::connect(
-        view.get(), &View3D::placementDragged,
-        [&](const std::string&, const Transform& placement, bool) { view->setGizmo(placement); });
+    QObject::connect(view.get(), &View3D::placementDragged,
+                     [&](const std::string&, const Transform& placement, bool) { view->setGizmo(placement); });
     const QPoint middle = seenAt(*view, {0.3, 1, 0});
     drag(*view, Qt::LeftButton, middle - QPoint(0, 85), middle - QPoint(0, 115));
     const double moved = 30 * pixelSize(view->camera(), view->viewport(), {0.3, 1, 0});

@@ -23,7 +23,9 @@ namespace {
 
 constexpr double rounding = 1e-9; // of a few operations on numbers up to 1e4
 
-ViewTransform someView() { return {{0.3, -0.2}, 1500, {640, 480}}; }
+ViewTransform someView() {
+    return {{0.3, -0.2}, 1500, {640, 480}};
+}
 
 } // namespace
 
@@ -63,7 +65,8 @@ void tst_ViewTransform::zoomStopsAtItsLimits() {
 void tst_ViewTransform::fittingShowsTheWholeBox() {
     const geometry::Box2 box{{-1, 2}, {1, 2.5}};
     const ViewTransform view = fitted(someView(), box, 20);
-    QVERIFY(QLineF(view.toScreen(box.low), QPointF(20, view.toScreen(box.low).y())).length() < rounding); // width decides
+    QVERIFY(QLineF(view.toScreen(box.low), QPointF(20, view.toScreen(box.low).y())).length() <
+            rounding); // width decides
     QVERIFY(view.toScreen(box.high).y() > 20);
     QVERIFY(view.toScreen(box.low).y() < 460);
 }

@@ -94,7 +94,8 @@ void tst_Workbench::movingOnTheTableMakesNoNewScene() {
     bench.apply({QStringLiteral("Draw"), twoRectangles()});
     const std::size_t before = fixture.log.generations.size();
     const auto& piece = bench.document().pattern.pieces[0]->id;
-    bench.apply({QStringLiteral("Move"), *document::edited(bench.document(), [&](const pattern::Pattern& p, pattern::IdSource&) {
+    bench.apply({QStringLiteral("Move"),
+                 *document::edited(bench.document(), [&](const pattern::Pattern& p, pattern::IdSource&) {
                      return movePiece(p, piece, {5, 5});
                  })});
     QCOMPARE(fixture.log.generations.size(), before);
@@ -146,7 +147,8 @@ void tst_Workbench::meshesOfTheNewestPatternArrive() {
     Workbench bench(fixture.parts());
     QSignalSpy changed(&bench, &Workbench::meshChanged);
     document::Document document = twoRectangles();
-    for (int i = 0; i < 20; ++i) bench.apply({QStringLiteral("Draw"), document = withRectangle(document, "More", {0, double(i)}, 0.1, 0.1)});
+    for (int i = 0; i < 20; ++i)
+        bench.apply({QStringLiteral("Draw"), document = withRectangle(document, "More", {0, double(i)}, 0.1, 0.1)});
     QTRY_COMPARE(bench.mesh().size(), std::size_t(22)); // of all twenty only the newest is shown
     QTest::qWait(20);
     QCOMPARE(bench.mesh().size(), std::size_t(22));
@@ -236,12 +238,11 @@ void tst_Workbench::everyNumberOfASheetSetsWhatItShows() {
     Fixture fixture;
     Workbench bench(fixture.parts());
     bench.apply({QStringLiteral("Draw"), withRectangle(bench.document(), "Front", {0, 0}, 0.2, 0.3)});
-    const Selection things{bench.document().pattern.pieces[0]->id, bench.document().pattern.fabrics[0]->id, SceneItem{}};
+    const Selection things{bench.document().pattern.pieces[0]->id, bench.document().pattern.fabrics[0]->id,
+                           SceneItem{}};
     int numbers = 0;
     for (const Item& thing : things) {
-        const auto sheet = [&](const document::Document& d) {
-            return sheetOf({d, flattened(d.pattern), {thing}}, {});
-        };
+        const auto sheet = [&](const document::Document& d) { return sheetOf({d, flattened(d.pattern), {thing}}, {}); };
         const PropertySheet shownNow = sheet(bench.document());
         for (std::size_t row = 0; row < shownNow.rows.size(); ++row) {
             const auto* number = std::get_if<NumberRow>(&shownNow.rows[row].content);

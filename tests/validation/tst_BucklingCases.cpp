@@ -135,8 +135,8 @@ private slots:
         const Ribbon ribbon(64, 4);
         const double load = criticalLoad(0, 1, [&](double weight) { return ribbon.tipsOver(weight); });
         const double cube = Ribbon::reach * Ribbon::reach * Ribbon::reach;
-        QVERIFY(caseWithin("V13", "ribbon on edge, ρgL³/B, 64 × 4 cells with twist", 18.18,
-                           load * cube / bending, 0.05));
+        QVERIFY(
+            caseWithin("V13", "ribbon on edge, ρgL³/B, 64 × 4 cells with twist", 18.18, load * cube / bending, 0.05));
     }
 };
 

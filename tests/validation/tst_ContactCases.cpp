@@ -49,8 +49,7 @@ Vec3 slope(double angle) {
     return {g * std::sin(angle), -g * std::cos(angle), 0};
 }
 
-void run(dynamics::Integrator& integrator, Patch5& world, dynamics::Stage& contact, double angle,
-         double seconds) {
+void run(dynamics::Integrator& integrator, Patch5& world, dynamics::Stage& contact, double angle, double seconds) {
     dynamics::Stage* stages[] = {&contact};
     const int steps = static_cast<int>(std::lround(seconds * 60));
     for (int i = 0; i < steps; ++i)
@@ -66,8 +65,8 @@ class tst_ContactCases : public QObject {
 private slots:
     void v9CoulombPatchOnASlope_data() {
         QTest::addColumn<Method>("method");
-        for (const Method method : {Method::xpbd, Method::trBdf2, Method::backwardEuler, Method::bdf2,
-                                    Method::sdirk4, Method::symplecticEuler, Method::rk4})
+        for (const Method method : {Method::xpbd, Method::trBdf2, Method::backwardEuler, Method::bdf2, Method::sdirk4,
+                                    Method::symplecticEuler, Method::rk4})
             QTest::newRow(std::string(dynamics::nameOf(method)).c_str()) << method;
     }
     void v9CoulombPatchOnASlope() {
@@ -95,8 +94,8 @@ private slots:
             const double middle = 0.5 * (sticks + slips);
             (after(middle, 0.5, 1) > 1e-3 ? slips : sticks) = middle;
         }
-        QVERIFY(caseWithin("V9", fmt::format("{}: angle from which it goes on slipping [°]", name),
-                           critical / degrees, slips / degrees, 0.2 * degrees / critical));
+        QVERIFY(caseWithin("V9", fmt::format("{}: angle from which it goes on slipping [°]", name), critical / degrees,
+                           slips / degrees, 0.2 * degrees / critical));
 
         Patch5 world;
         auto contact = world.contact();

@@ -74,7 +74,8 @@ Step symplectic(const ClothModel& model) {
 }
 
 Step implicit(const ClothModel& model) {
-    auto euler = std::make_shared<dynamics::ImplicitRungeKutta>(model, dynamics::backwardEuler(), dynamics::ImplicitSettings{.tolerance = 1e-12});
+    auto euler = std::make_shared<dynamics::ImplicitRungeKutta>(model, dynamics::backwardEuler(),
+                                                                dynamics::ImplicitSettings{.tolerance = 1e-12});
     return [euler](ParticleState& s, double h) { need(euler->step(s, h, {})); };
 }
 
@@ -87,7 +88,12 @@ double pendulumRatio(double degrees, const std::function<Step(const ClothModel&)
     const double angle = degrees * pi / 180;
     ParticleState state{.positions = {{0, 0, 0}, {std::sin(angle), -std::cos(angle), 0}}, .velocities = {{}, {}}};
     const Step step = makeStep(model);
-    const double period = periodOf([&] { step(state, h); return state.positions[1].x; }, h, 1);
+    const double period = periodOf(
+        [&] {
+            step(state, h);
+            return state.positions[1].x;
+        },
+        h, 1);
     return period / (2 * pi / std::sqrt(g));
 }
 
@@ -99,7 +105,8 @@ ClothModel sheetModel(Patch& patch, int cells, const Fabric& fabric) {
 /// V15: lowest frequency of a square membrane of side 1 under tension 10 N/m, N × N cells.
 double membraneFrequency(int n) {
     constexpr double tension = 10, stiffness = 1000, density = 0.2;
-    const double strain = tension / (stiffness - tension); // E·e/(1 + e) = T: stiffness per rest width, load per real one
+    const double strain =
+        tension / (stiffness - tension); // E·e/(1 + e) = T: stiffness per rest width, load per real one
     const double side = 1 / (1 + strain);
     Fabric fabric = wovenFabric();
     fabric.arealDensity = density / (side * side);
@@ -118,7 +125,12 @@ double membraneFrequency(int n) {
     dynamics::SymplecticEuler euler(model);
     const double h = std::min(1e-4, 0.5 * euler.stepLimit());
     const int middle = (n / 2) * (n + 1) + n / 2;
-    return 1 / periodOf([&] { need(euler.step(state, h, {})); return state.positions[middle].z; }, h, 2);
+    return 1 / periodOf(
+                   [&] {
+                       need(euler.step(state, h, {}));
+                       return state.positions[middle].z;
+                   },
+                   h, 2);
 }
 
 } // namespace
@@ -130,12 +142,22 @@ private slots:
     void v1OscillatorFrequency() {
         Oscillator o = oscillator(1e-3);
         dynamics::SymplecticEuler euler(o.model);
-        const double period = periodOf([&] { need(euler.step(o.state, 1e-4, {})); return o.state.positions[1].x - 1; }, 1e-4, 10);
+        const double period = periodOf(
+            [&] {
+                need(euler.step(o.state, 1e-4, {}));
+                return o.state.positions[1].x - 1;
+            },
+            1e-4, 10);
         QVERIFY(caseWithin("V1", "oscillator, symplectic Euler at 1e-4 s, frequency", 15.9155, 1 / period, 1e-4));
 
         Oscillator x = oscillator(1e-3);
         dynamics::Xpbd xpbd(x.model, {.damping = 0, .stiffnessCap = 1e9});
-        const double xpbdPeriod = periodOf([&] { need(xpbd.step(x.state, 1e-5, 1, {}, {})); return x.state.positions[1].x - 1; }, 1e-5, 3);
+        const double xpbdPeriod = periodOf(
+            [&] {
+                need(xpbd.step(x.state, 1e-5, 1, {}, {}));
+                return x.state.positions[1].x - 1;
+            },
+            1e-5, 3);
         QVERIFY(caseWithin("V1", "oscillator, XPBD at 1e-5 s, frequency", 15.9155, 1 / xpbdPeriod, 1e-4));
     }
 
@@ -150,12 +172,14 @@ private slots:
         const double before = energy();
         for (int i = 0; i < 10; ++i) step(o.state, h);
         const double measured = std::pow(energy() / before, 0.5 / 10); // amplitude per step
-        QVERIFY(caseWithin("V1", "oscillator, backward Euler at ωh=0.1, damping a step", 1 / std::sqrt(1 + ratio * ratio), measured, 1e-6));
+        QVERIFY(caseWithin("V1", "oscillator, backward Euler at ωh=0.1, damping a step",
+                           1 / std::sqrt(1 + ratio * ratio), measured, 1e-6));
     }
 
     void v2OrdersOfTheIntegrators() {
         const auto order = [](const auto& makeStep) {
-            const double coarse = oscillatorError(makeStep, 0.25 / 2000), fine = oscillatorError(makeStep, 0.25 / 16000);
+            const double coarse = oscillatorError(makeStep, 0.25 / 2000),
+                         fine = oscillatorError(makeStep, 0.25 / 16000);
             return std::log2(coarse / fine) / 3; // halved three times
         };
         QVERIFY(caseWithin("V2", "order of symplectic Euler", 1, order(symplectic), 0.15));
@@ -163,26 +187,31 @@ private slots:
     }
 
     void v8PendulumPeriods() {
-        struct Row { double degrees, ratio; };
+        struct Row {
+            double degrees, ratio;
+        };
         for (const Row& row : {Row{10, 1.0019072}, {45, 1.0399733}, {90, 1.1803406}, {150, 1.7622037}}) {
             const auto euler = [](const ClothModel& model) -> Step {
                 auto e = std::make_shared<dynamics::SymplecticEuler>(model);
                 return [e](ParticleState& s, double h) { need(e->step(s, h, gravity)); };
             };
-            QVERIFY(caseWithin("V8", fmt::format("pendulum from {}°, symplectic Euler", row.degrees), row.ratio, pendulumRatio(row.degrees, euler, 2e-4), 1e-3));
+            QVERIFY(caseWithin("V8", fmt::format("pendulum from {}°, symplectic Euler", row.degrees), row.ratio,
+                               pendulumRatio(row.degrees, euler, 2e-4), 1e-3));
             if (row.degrees > 90) continue; // XPBD loses energy by O(h), and there the period depends most on it
             const auto xpbd = [](const ClothModel& model) -> Step {
                 auto x = std::make_shared<dynamics::Xpbd>(model, dynamics::XpbdSettings{.damping = 0});
                 return [x](ParticleState& s, double h) { need(x->step(s, h, 1, gravity, {})); };
             };
-            QVERIFY(caseWithin("V8", fmt::format("pendulum from {}°, XPBD", row.degrees), row.ratio, pendulumRatio(row.degrees, xpbd, 2.5e-5), 1e-3));
+            QVERIFY(caseWithin("V8", fmt::format("pendulum from {}°, XPBD", row.degrees), row.ratio,
+                               pendulumRatio(row.degrees, xpbd, 2.5e-5), 1e-3));
         }
     }
 
     void v15StretchedMembrane() {
         for (int n : {8, 16}) {
             const double lumped = std::sin(pi / (2 * n)) / (pi / (2 * n));
-            QVERIFY(caseWithin("V15", fmt::format("square membrane, {} × {} cells, f11", n, n), 5.0 * lumped, membraneFrequency(n), 1e-4));
+            QVERIFY(caseWithin("V15", fmt::format("square membrane, {} × {} cells, f11", n, n), 5.0 * lumped,
+                               membraneFrequency(n), 1e-4));
         }
     }
 
@@ -209,8 +238,14 @@ private slots:
         cloth::doubleBendingAtClampedRows(model);
         dynamics::SymplecticEuler euler(model);
         const double step = 0.9 * euler.stepLimit();
-        const double period = periodOf([&] { need(euler.step(state, step, {})); return state.positions[cells + 1].z; }, step, 1);
-        QVERIFY(caseWithin("V16", "cantilever strip in zero g, 32 cells, f1", 3.51602 / (2 * pi * length * length) * std::sqrt(5e-5 / 0.2), 1 / period, 0.02));
+        const double period = periodOf(
+            [&] {
+                need(euler.step(state, step, {}));
+                return state.positions[cells + 1].z;
+            },
+            step, 1);
+        QVERIFY(caseWithin("V16", "cantilever strip in zero g, 32 cells, f1",
+                           3.51602 / (2 * pi * length * length) * std::sqrt(5e-5 / 0.2), 1 / period, 0.02));
     }
 
     void v17MomentumAndEnergyOfAKickedSheet() {
@@ -246,8 +281,10 @@ private slots:
             largest = std::max(largest, change);
             if (i > 0.9 * steps) lastSecond = std::max(lastSecond, change);
         }
-        QVERIFY(caseBelow("V17", "symplectic Euler, 10 s: momentum, of Σm|v| per step", 1e-12, length(momentum(model, state) - linear) / scale / steps));
-        QVERIFY(caseBelow("V17", "symplectic Euler, 10 s: angular momentum per step", 1e-12, length(angularMomentum(model, state) - angular) / spin / steps));
+        QVERIFY(caseBelow("V17", "symplectic Euler, 10 s: momentum, of Σm|v| per step", 1e-12,
+                          length(momentum(model, state) - linear) / scale / steps));
+        QVERIFY(caseBelow("V17", "symplectic Euler, 10 s: angular momentum per step", 1e-12,
+                          length(angularMomentum(model, state) - angular) / spin / steps));
         QVERIFY(caseBelow("V17", "symplectic Euler, 10 s: energy error", 0.01, largest));
         QVERIFY(caseBelow("V17", "symplectic Euler, energy error in the last second", 0.01, lastSecond));
 
@@ -259,7 +296,8 @@ private slots:
             need(xpbd.step(state, 1.0 / 60, 20, {}, {}));
             warned |= monitor.observe(energies(model, state, {}));
         }
-        QVERIFY(caseBelow("V17", "XPBD, 2 s, 20 substeps: momentum per substep", 1e-12, length(momentum(model, state) - linear) / scale / 2400));
+        QVERIFY(caseBelow("V17", "XPBD, 2 s, 20 substeps: momentum per substep", 1e-12,
+                          length(momentum(model, state) - linear) / scale / 2400));
         QVERIFY(caseBelow("V17", "XPBD, 2 s: energy above its start, relative", 0.01, monitor.growth() / before));
         QVERIFY(!warned);
     }

@@ -103,10 +103,8 @@ Pull pullOf(const std::vector<Vec2>& places, double width, const ClothModel& mod
     cloth::gatherToMasters(model, forces);
     Pull pull;
     for (std::size_t p = 0; p < x.size(); ++p) {
-        if (places[p].x > width - 1e-9)
-            pull.end -= forces[p].x;
-        else if (places[p].x > 1e-9)
-            pull.rest = std::max(pull.rest, length(forces[p]));
+        if (places[p].x > width - 1e-9) pull.end -= forces[p].x;
+        else if (places[p].x > 1e-9) pull.rest = std::max(pull.rest, length(forces[p]));
     }
     return pull;
 }
@@ -168,8 +166,8 @@ private slots:
                 const auto report = cloth::appendPatch(model, patch, fabric);
                 QVERIFY(report);
                 QCOMPARE(report->clampedCells, 0);
-                const auto c = material::membraneStiffness(
-                    fabric, report->membraneCells ? fabric.coupling : fabric.shearStiffness);
+                const auto c = material::membraneStiffness(fabric, report->membraneCells ? fabric.coupling
+                                                                                         : fabric.shearStiffness);
                 const char* cells = report->membraneCells ? "membrane" : "springs";
                 const auto check = [&](const char* name, double expected, const PlaneStrain& e) {
                     pass &= caseWithin("V19b", fmt::format("{}, aspect {}, {}, {}", fabric.name, aspect, cells, name),

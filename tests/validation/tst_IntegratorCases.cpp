@@ -68,8 +68,7 @@ constexpr Order orders[] = {
 };
 
 /// The flap of 8 × 8 cells after 0.2 s in so many steps a second.
-std::vector<Vec3> flapAfter(const Flap& sheet, Method method, int perSecond,
-                            IntegratorSettings settings = {}) {
+std::vector<Vec3> flapAfter(const Flap& sheet, Method method, int perSecond, IntegratorSettings settings = {}) {
     settings.damping = flapDamping;
     settings.substeps = 1;
     ParticleState state = sheet.state;
@@ -143,8 +142,7 @@ class tst_IntegratorCases : public QObject {
 private slots:
     void v1Frequencies() {
         Oscillator o;
-        const auto integrator =
-            dynamics::makeIntegrator(Method::trBdf2, o.model, {.damping = 0, .tolerance = 1e-12});
+        const auto integrator = dynamics::makeIntegrator(Method::trBdf2, o.model, {.damping = 0, .tolerance = 1e-12});
         constexpr double h = 1e-3; // ωh = 0.1
         double last = o.state.positions[1].x - 1, first = 0;
         int crossings = 0;
@@ -155,8 +153,8 @@ private slots:
                 const double at = (i - now / (now - last)) * h;
                 if (crossings == 0) first = at;
                 if (crossings == 10)
-                    QVERIFY(caseWithin("V1", "oscillator, TR-BDF2 at ωh=0.1, frequency", 15.9155,
-                                       10 / (at - first), 1e-3));
+                    QVERIFY(
+                        caseWithin("V1", "oscillator, TR-BDF2 at ωh=0.1, frequency", 15.9155, 10 / (at - first), 1e-3));
                 ++crossings;
             }
             last = now;
@@ -165,11 +163,10 @@ private slots:
 
     void v2OrdersOnTheOscillator() {
         for (const Order& row : orders) {
-            const double slope = std::log2(oscillatorError(row.method, row.coarse) /
-                                           oscillatorError(row.method, 8 * row.coarse)) /
-                                 3;
-            QVERIFY(caseWithin("V2", fmt::format("oscillator, order of {}", dynamics::nameOf(row.method)),
-                               row.order, slope, (row.order == 4 ? 0.3 : 0.15) / row.order));
+            const double slope =
+                std::log2(oscillatorError(row.method, row.coarse) / oscillatorError(row.method, 8 * row.coarse)) / 3;
+            QVERIFY(caseWithin("V2", fmt::format("oscillator, order of {}", dynamics::nameOf(row.method)), row.order,
+                               slope, (row.order == 4 ? 0.3 : 0.15) / row.order));
         }
     }
 
@@ -177,14 +174,13 @@ private slots:
         const Flap sheet = flap(8, 1);
         const auto reference = flapAfter(sheet, Method::rk4, 19200);
         for (const Order& row : orders) {
-            const IntegratorSettings settings{
-                .stiffnessCap = 1e30, .tolerance = 1e-10, .gradientIterations = 0};
+            const IntegratorSettings settings{.stiffnessCap = 1e30, .tolerance = 1e-10, .gradientIterations = 0};
             const auto errorAt = [&](int perSecond) {
                 return rmsDistance(sheet.model, flapAfter(sheet, row.method, perSecond, settings), reference);
             };
             const double slope = std::log2(errorAt(row.flapCoarse) / errorAt(4 * row.flapCoarse)) / 2;
-            QVERIFY(caseWithin("V2", fmt::format("flap, order of {}", dynamics::nameOf(row.method)),
-                               row.order, slope, (row.order == 4 ? 0.3 : 0.15) / row.order));
+            QVERIFY(caseWithin("V2", fmt::format("flap, order of {}", dynamics::nameOf(row.method)), row.order, slope,
+                               (row.order == 4 ? 0.3 : 0.15) / row.order));
         }
     }
 
@@ -194,21 +190,18 @@ private slots:
         int at = 0;
         for (const double factor : {1.0, 1e2, 1e4}) {
             const Flap sheet = flap(8, factor);
-            const auto reference =
-                flapAfter(sheet, Method::trBdf2, 3840, {.tolerance = 1e-8, .gradientIterations = 0});
+            const auto reference = flapAfter(sheet, Method::trBdf2, 3840, {.tolerance = 1e-8, .gradientIterations = 0});
             const auto errorAt = [&](int perSecond) {
-                return rmsDistance(
-                    sheet.model, flapAfter(sheet, Method::trBdf2, perSecond, {.tolerance = 1e-6}), reference);
+                return rmsDistance(sheet.model, flapAfter(sheet, Method::trBdf2, perSecond, {.tolerance = 1e-6}),
+                                   reference);
             };
             const double coarse = errorAt(60), fine = errorAt(240);
             error[at++] = coarse;
-            QVERIFY(caseBelow("V2",
-                              fmt::format("TR-BDF2 on the flap × {:g}: 2 − order, 1/60 to 1/240 s", factor),
-                              1, 2 - std::log2(coarse / fine) / 2));
+            QVERIFY(caseBelow("V2", fmt::format("TR-BDF2 on the flap × {:g}: 2 − order, 1/60 to 1/240 s", factor), 1,
+                              2 - std::log2(coarse / fine) / 2));
         }
         const auto [least, most] = std::minmax({error[0], error[1], error[2]});
-        QVERIFY(
-            caseBelow("V2", "TR-BDF2 at 1/60 s: largest over least error, × 1 to × 1e4", 2, most / least));
+        QVERIFY(caseBelow("V2", "TR-BDF2 at 1/60 s: largest over least error, × 1 to × 1e4", 2, most / least));
     }
 
     void v8bHangingChain() {
@@ -219,8 +212,8 @@ private slots:
             QVERIFY(caseWithin("V8b", fmt::format("chain of 32 links, f{} by TR-BDF2, of 32 links", mode + 1),
                                discrete[mode], measured, 1e-3));
             if (mode < 2)
-                QVERIFY(caseWithin("V8b", fmt::format("the same, of a chain without links", mode + 1),
-                                   continuum[mode], measured, 0.01));
+                QVERIFY(caseWithin("V8b", fmt::format("the same, of a chain without links", mode + 1), continuum[mode],
+                                   measured, 0.01));
         }
         QVERIFY(caseWithin("V8b", "chain of 64 links, f3, of a chain without links", continuum[2],
                            chainFrequency(64, 2, Method::trBdf2), 0.01));
@@ -233,26 +226,23 @@ private slots:
         start.velocities.assign(start.positions.size(), {});
         shake(start.velocities, 1, 11);
         double scale = 0;
-        for (std::size_t p = 0; p < model.mass.size(); ++p)
-            scale += model.mass[p] * length(start.velocities[p]);
+        for (std::size_t p = 0; p < model.mass.size(); ++p) scale += model.mass[p] * length(start.velocities[p]);
         const double before = energies(model, start, {}).total();
         struct Row {
             Method method;
             double allowed;
         };
-        for (const Row& row :
-             {Row{Method::backwardEuler, 0.001}, {Method::trBdf2, 0.01}, {Method::bdf2, 0.01}}) {
+        for (const Row& row : {Row{Method::backwardEuler, 0.001}, {Method::trBdf2, 0.01}, {Method::bdf2, 0.01}}) {
             ParticleState state = start;
-            const auto integrator =
-                dynamics::makeIntegrator(row.method, model, {.damping = 0, .tolerance = 1e-6});
+            const auto integrator = dynamics::makeIntegrator(row.method, model, {.damping = 0, .tolerance = 1e-6});
             double most = before;
             for (int i = 0; i < 600; ++i) {
                 run(*integrator, state, 1, 1.0 / 60, {});
                 most = std::max(most, energies(model, state, {}).total());
             }
             const std::string name(dynamics::nameOf(row.method));
-            QVERIFY(caseBelow("V17", fmt::format("{}, 10 s at 1/60 s: energy above its start", name),
-                              row.allowed, most / before - 1));
+            QVERIFY(caseBelow("V17", fmt::format("{}, 10 s at 1/60 s: energy above its start", name), row.allowed,
+                              most / before - 1));
             QVERIFY(caseBelow("V17", fmt::format("{}, 10 s: momentum, of Σm|v|", name), 1e-4,
                               length(momentum(model, state) - momentum(model, start)) / scale));
         }

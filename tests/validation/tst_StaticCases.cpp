@@ -99,28 +99,38 @@ class tst_StaticCases : public QObject {
 private slots:
     void v3HangingStripSagsByItsOwnWeight() {
         const double expected = 0.2 * g / (2 * 200);
-        QVERIFY(caseWithin("V3", "strip, 10 × 1 spring cells", expected, sagOf(gridPatch(evenLines(0.1, 1), evenLines(1, 10)), 1), 1e-4));
-        QVERIFY(caseWithin("V3", "strip, 32 × 4 spring cells", expected, sagOf(gridPatch(evenLines(0.1, 4), evenLines(1, 32)), 1), 1e-4));
+        QVERIFY(caseWithin("V3", "strip, 10 × 1 spring cells", expected,
+                           sagOf(gridPatch(evenLines(0.1, 1), evenLines(1, 10)), 1), 1e-4));
+        QVERIFY(caseWithin("V3", "strip, 32 × 4 spring cells", expected,
+                           sagOf(gridPatch(evenLines(0.1, 4), evenLines(1, 32)), 1), 1e-4));
         const std::vector<double> unequal{0, 0.1, 0.15, 0.4, 0.45, 0.7, 1};
-        QVERIFY(caseWithin("V3", "strip, unequal rows", expected, sagOf(gridPatch(evenLines(0.1, 1), unequal), 1), 1e-4));
+        QVERIFY(
+            caseWithin("V3", "strip, unequal rows", expected, sagOf(gridPatch(evenLines(0.1, 1), unequal), 1), 1e-4));
     }
 
     void v4SagDoesNotDependOnTheMesh() {
         const double uniform = sagOf(gridPatch(evenLines(0.1, 2), evenLines(1, 20)), 1);
         for (double split : {0.3, 0.5, 0.8}) {
-            QVERIFY(caseWithin("V4", fmt::format("two regions 1 : 2, split at {}", split), uniform, twoRegionSag(split, 5, 10, 2), 1e-6));
-            QVERIFY(caseWithin("V4", fmt::format("two regions 1 : 4, split at {}", split), uniform, twoRegionSag(split, 4, 12, 4), 1e-6));
+            QVERIFY(caseWithin("V4", fmt::format("two regions 1 : 2, split at {}", split), uniform,
+                               twoRegionSag(split, 5, 10, 2), 1e-6));
+            QVERIFY(caseWithin("V4", fmt::format("two regions 1 : 4, split at {}", split), uniform,
+                               twoRegionSag(split, 4, 12, 4), 1e-6));
         }
     }
 
     void v5CantileverUnderItsOwnWeight() {
-        struct Row { double gamma, expected; };
+        struct Row {
+            double gamma, expected;
+        };
         bool pass = true;
-        for (const Row& row : {Row{0.1, 0.01250}, {1, 0.12456}, {2, 0.24667}, {5, 0.58572}, {8, 0.88433}, {10, 1.06680}})
-            pass &= caseWithin("V5", fmt::format("cantilever Γ={}, 16 cells", row.gamma), row.expected, droopRatio(row.gamma, 16), 0.01);
+        for (const Row& row :
+             {Row{0.1, 0.01250}, {1, 0.12456}, {2, 0.24667}, {5, 0.58572}, {8, 0.88433}, {10, 1.06680}})
+            pass &= caseWithin("V5", fmt::format("cantilever Γ={}, 16 cells", row.gamma), row.expected,
+                               droopRatio(row.gamma, 16), 0.01);
         pass &= caseWithin("V5", "cantilever Γ=50, 16 cells", 3.70556, droopRatio(50, 16), 0.03);
         for (const Row& row : {Row{1, 0.12456}, {10, 1.06680}, {50, 3.70556}})
-            pass &= caseWithin("V5", fmt::format("cantilever Γ={}, 64 cells", row.gamma), row.expected, droopRatio(row.gamma, 64), 0.002);
+            pass &= caseWithin("V5", fmt::format("cantilever Γ={}, 64 cells", row.gamma), row.expected,
+                               droopRatio(row.gamma, 64), 0.002);
         const double e16 = droopRatio(10, 16) / 1.06680 - 1, e32 = droopRatio(10, 32) / 1.06680 - 1;
         pass &= caseWithin("V5", "order of the error from 16 to 32 cells", 2, std::log2(e16 / e32), 0.1);
         QVERIFY(pass);
@@ -130,11 +140,15 @@ private slots:
         double low = 6, high = 10; // Γ at which the chord hangs at 41.5 degrees
         const double wanted = std::tan(41.5 * std::numbers::pi / 180);
         for (int i = 0; i < 14; ++i) (droopRatio((low + high) / 2, 32) < wanted ? low : high) = (low + high) / 2;
-        QVERIFY(caseWithin("V6", "bending length over overhang at 41.5°, 32 cells", 0.5, std::cbrt(2 / (low + high)), 0.01));
+        QVERIFY(caseWithin("V6", "bending length over overhang at 41.5°, 32 cells", 0.5, std::cbrt(2 / (low + high)),
+                           0.01));
     }
 
     void v7CatenaryOfStiffLinks() {
-        struct Row { int links; double sag; };
+        struct Row {
+            int links;
+            double sag;
+        };
         std::array<double, 2> errors{};
         for (const Row& row : {Row{8, 0.294731}, {16, 0.292935}, {32, 0.292491}, {64, 0.292381}}) {
             const double sag = chainSag(row.links);

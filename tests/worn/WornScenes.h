@@ -35,7 +35,8 @@ inline SewReport sewnFor(double seconds, const Scene& scene) {
 
 /// One of the reasons why the garment is not worn holds these words.
 inline bool says(const SewReport& report, const std::string& words) {
-    return std::ranges::any_of(report.worn->why, [&](const std::string& why) { return why.find(words) != std::string::npos; });
+    return std::ranges::any_of(report.worn->why,
+                               [&](const std::string& why) { return why.find(words) != std::string::npos; });
 }
 
 /// For the messages of failing tests.

@@ -21,7 +21,8 @@ const SewReport& correctBlouse() {
 }
 
 SewReport skirtWithWaist(double ease) {
-    const auto skirt = samples::circleSkirt(mannequin().measurements, mannequin().body, {.spacing = 0.040, .waistEase = ease});
+    const auto skirt =
+        samples::circleSkirt(mannequin().measurements, mannequin().body, {.spacing = 0.040, .waistEase = ease});
     return sewnFor(3, onMannequin(skirt.pattern));
 }
 

@@ -47,7 +47,8 @@ void tst_Waistband::withoutANeckItGoesOnAfterRest() {
 }
 
 void tst_Waistband::theTimeCanBeChosen() {
-    const SewReport held = sewn(tubeRoundPost(farAbove), {.hold = 1}), notHeld = sewn(tubeRoundPost(farAbove), {.hold = 0});
+    const SewReport held = sewn(tubeRoundPost(farAbove), {.hold = 1}),
+                    notHeld = sewn(tubeRoundPost(farAbove), {.hold = 0});
     QVERIFY(std::abs(held.heldSeconds - 1) < 1e-6);
     QCOMPARE(notHeld.heldSeconds, 0.0);
     QVERIFY(std::abs(held.simulatedSeconds - notHeld.simulatedSeconds - 1) < 1e-6); // it still rests, and waits no more

@@ -17,7 +17,9 @@ namespace {
 using namespace pattern;
 using document::Document;
 
-QString tr(const char* text) { return QCoreApplication::translate("Properties", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("Properties", text);
+}
 
 QString nameOf(const Desk& desk, const PieceId& id) {
     const Piece* piece = findPiece(desk.document.pattern, id);
@@ -44,9 +46,12 @@ void addNotchRows(PropertySheet& sheet, const Piece& owner, const EdgeId& edge) 
         sheet.rows.push_back({name + QStringLiteral("Heading"), tr("Notch %1").arg(number), HeadingRow{}});
         sheet.rows.push_back({name + QStringLiteral("Position"), tr("From the start"),
                               NumberRow{Quantity::length, notch.position * length, 0, length, 1,
-                                        change(i, [length](Notch& n, double value) { n.position = std::clamp(value / length, 0.0, 1.0); })}});
+                                        change(i, [length](Notch& n, double value) {
+                                            n.position = std::clamp(value / length, 0.0, 1.0);
+                                        })}});
         sheet.rows.push_back({name + QStringLiteral("Kind"), tr("Kind"),
-                              ChoiceRow{{tr("Slit"), tr("V"), tr("T"), tr("Castle")}, static_cast<int>(notch.kind),
+                              ChoiceRow{{tr("Slit"), tr("V"), tr("T"), tr("Castle")},
+                                        static_cast<int>(notch.kind),
                                         change(i, [](Notch& n, int kind) { n.kind = static_cast<NotchKind>(kind); })}});
         sheet.rows.push_back({name + QStringLiteral("Double"), tr("Double"),
                               FlagRow{notch.isDouble, change(i, [](Notch& n, bool on) { n.isDouble = on; })},
@@ -57,7 +62,9 @@ void addNotchRows(PropertySheet& sheet, const Piece& owner, const EdgeId& edge) 
 }
 
 /// Where an image's shape is changed.
-FactRow imageOf(const Piece& owner) { return {tr("%1; what is done here is done there").arg(QString::fromStdString(owner.name))}; }
+FactRow imageOf(const Piece& owner) {
+    return {tr("%1; what is done here is done there").arg(QString::fromStdString(owner.name))};
+}
 
 /// A curve that looks like the edge does now, in the wanted kind of shape.
 EdgeShape shapeOfKind(const geometry::Curve& curve, int kind) {
@@ -86,12 +93,14 @@ PropertySheet edgeSheet(const Desk& desk, const EdgeRef& ref) {
     const auto place = owner ? findEdge(*owner, ref.edge) : std::nullopt;
     if (!place) return sheet;
     sheet.rows.push_back({QStringLiteral("piece"), tr("Piece"), FactRow{nameOf(desk, ref.piece)}});
-    sheet.rows.push_back({QStringLiteral("length"), tr("Length"), FactRow{textOf(Quantity::length, edgeLength(*owner, ref.edge))}});
+    sheet.rows.push_back(
+        {QStringLiteral("length"), tr("Length"), FactRow{textOf(Quantity::length, edgeLength(*owner, ref.edge))}});
     if (piece->mirror) sheet.rows.push_back({QStringLiteral("mirror"), tr("Mirror image of"), imageOf(*owner)});
     const geometry::Curve curve = curveOf(*owner, *place);
     const PieceId id = owner->id;
     sheet.rows.push_back({QStringLiteral("shape"), tr("Shape"),
-                          ChoiceRow{{tr("Line"), tr("Curve"), tr("Arc")}, static_cast<int>(curve.shape.index()),
+                          ChoiceRow{{tr("Line"), tr("Curve"), tr("Arc")},
+                                    static_cast<int>(curve.shape.index()),
                                     setting([id, ref, curve](const Pattern& p, int kind) {
                                         return setEdgeShape(p, id, ref.edge, shapeOfKind(curve, kind));
                                     })}});
@@ -100,19 +109,22 @@ PropertySheet edgeSheet(const Desk& desk, const EdgeRef& ref) {
                           FlagRow{allowance.has_value(), setting([id, ref](const Pattern& p, bool on) {
                                       const Piece* now = findPiece(p, id);
                                       return setEdgeSeamAllowance(p, id, ref.edge,
-                                                                  on && now ? std::optional(now->seamAllowance) : std::nullopt);
+                                                                  on && now ? std::optional(now->seamAllowance)
+                                                                            : std::nullopt);
                                   })}});
     if (allowance)
-        sheet.rows.push_back({QStringLiteral("seamAllowance"), tr("Seam allowance"),
-                              NumberRow{Quantity::length, *allowance, 0, 0.1, 1, setting([id, ref](const Pattern& p, double value) {
-                                            return setEdgeSeamAllowance(p, id, ref.edge, value);
-                                        })}});
+        sheet.rows.push_back(
+            {QStringLiteral("seamAllowance"), tr("Seam allowance"),
+             NumberRow{Quantity::length, *allowance, 0, 0.1, 1, setting([id, ref](const Pattern& p, double value) {
+                           return setEdgeSeamAllowance(p, id, ref.edge, value);
+                       })}});
     addNotchRows(sheet, *owner, ref.edge);
     if (place->loop > 0)
-        sheet.rows.push_back({QStringLiteral("removeHole"), tr("Delete hole"),
-                              ActionRow{setting([id, hole = static_cast<std::size_t>(place->loop - 1)](const Pattern& p) {
-                                  return deleteHole(p, id, hole).map([](Edited edited) { return std::move(edited.pattern); });
-                              })}});
+        sheet.rows.push_back(
+            {QStringLiteral("removeHole"), tr("Delete hole"),
+             ActionRow{setting([id, hole = static_cast<std::size_t>(place->loop - 1)](const Pattern& p) {
+                 return deleteHole(p, id, hole).map([](Edited edited) { return std::move(edited.pattern); });
+             })}});
     return sheet;
 }
 
@@ -122,25 +134,30 @@ PropertySheet vertexSheet(const Desk& desk, const VertexRef& ref) {
     const auto position = positionOf(desk.flat, ref);
     if (!piece || !position) return sheet;
     sheet.rows.push_back({QStringLiteral("piece"), tr("Piece"), FactRow{nameOf(desk, ref.piece)}});
-    sheet.rows.push_back({QStringLiteral("angle"), tr("Corner"), FactRow{textOf(Quantity::angle, cornerAngle(piece->piece, ref.vertex))}});
+    sheet.rows.push_back({QStringLiteral("angle"), tr("Corner"),
+                          FactRow{textOf(Quantity::angle, cornerAngle(piece->piece, ref.vertex))}});
     const auto& pins = desk.document.pattern.pins;
-    const auto pin = std::ranges::find_if(pins, [&](const Pin& p) { return p.piece == ref.piece && p.vertex == ref.vertex; });
+    const auto pin =
+        std::ranges::find_if(pins, [&](const Pin& p) { return p.piece == ref.piece && p.vertex == ref.vertex; });
     const std::optional<PinId> pinned = pin == pins.end() ? std::nullopt : std::optional(pin->id);
     sheet.rows.push_back({QStringLiteral("pinned"), tr("Pinned"),
                           FlagRow{pinned.has_value(),
                                   [ref, pinned](const Document& document, bool on) -> DocumentResult {
                                       return document::edited(document, [&](const Pattern& p, IdSource& ids) {
-                                          return on ? addPin(p, ref.piece, ref.vertex, ids) : pinned ? removePin(p, *pinned) : Result<Pattern>(p);
+                                          return on       ? addPin(p, ref.piece, ref.vertex, ids)
+                                                 : pinned ? removePin(p, *pinned)
+                                                          : Result<Pattern>(p);
                                       });
                                   }},
                           tr("Held at its starting place while time runs.")});
     if (piece->piece.mirror) return sheet;
     const Vec2 at = *position - piece->piece.tablePosition;
     const auto row = [&](const char* name, const QString& label, double value, bool isX) {
-        sheet.rows.push_back({QString::fromLatin1(name), label,
-                              NumberRow{Quantity::length, value, -10, 10, 1, setting([ref, at, isX](const Pattern& p, double v) {
-                                            return moveVertex(p, ref.piece, ref.vertex, isX ? Vec2{v, at.y} : Vec2{at.x, v});
-                                        })}});
+        sheet.rows.push_back(
+            {QString::fromLatin1(name), label,
+             NumberRow{Quantity::length, value, -10, 10, 1, setting([ref, at, isX](const Pattern& p, double v) {
+                           return moveVertex(p, ref.piece, ref.vertex, isX ? Vec2{v, at.y} : Vec2{at.x, v});
+                       })}});
     };
     row("x", tr("Across (x)"), at.x, true);
     row("y", tr("Up (y)"), at.y, false);
@@ -155,12 +172,14 @@ PropertySheet regionSheet(const Document& document, const RegionRef& touchedRef)
     const RegionRef ref{piece->id, touchedRef.region};
     const auto region = std::ranges::find(piece->regions, ref.region, &Region::id);
     if (region == piece->regions.end()) return sheet;
-    sheet.rows.push_back({QStringLiteral("name"), tr("Name"),
-                          TextRow{QString::fromStdString(region->name), setting([ref](const Pattern& p, const QString& name) {
-                                      return renameRegion(p, ref.piece, ref.region, name.toStdString());
-                                  })}});
+    sheet.rows.push_back(
+        {QStringLiteral("name"), tr("Name"),
+         TextRow{QString::fromStdString(region->name), setting([ref](const Pattern& p, const QString& name) {
+                     return renameRegion(p, ref.piece, ref.region, name.toStdString());
+                 })}});
     ChoiceRow refinement;
-    for (int m = 0; m <= 5; ++m) refinement.choices << (m == 0 ? tr("as the main region") : tr("1/%1 of the main").arg(1 << m));
+    for (int m = 0; m <= 5; ++m)
+        refinement.choices << (m == 0 ? tr("as the main region") : tr("1/%1 of the main").arg(1 << m));
     refinement.current = region->refinement;
     refinement.set = setting([ref](const Pattern& p, int m) { return setRefinement(p, ref.piece, ref.region, m); });
     sheet.rows.push_back({QStringLiteral("refinement"), tr("Spacing"), refinement, tr("ε_m/2^m")});
@@ -172,7 +191,8 @@ PropertySheet regionSheet(const Document& document, const RegionRef& touchedRef)
     const auto factor = [&](const char* name, const QString& label, double StiffnessFactors::*field) {
         const StiffnessFactors now = region->stiffness;
         sheet.rows.push_back({QString::fromLatin1(name), label,
-                              NumberRow{Quantity::factor, now.*field, 0.01, 1000, 0.5, setting([ref, now, field](const Pattern& p, double value) {
+                              NumberRow{Quantity::factor, now.*field, 0.01, 1000, 0.5,
+                                        setting([ref, now, field](const Pattern& p, double value) {
                                             StiffnessFactors next = now;
                                             next.*field = value;
                                             return setStiffness(p, ref.piece, ref.region, next);

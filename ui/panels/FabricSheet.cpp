@@ -10,7 +10,9 @@ namespace {
 using namespace pattern;
 using document::Document;
 
-QString tr(const char* text) { return QCoreApplication::translate("Properties", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("Properties", text);
+}
 
 /// A setter of a constant of the fabric; the result is checked.
 auto constant(const FabricId& fabric, auto change) {
@@ -27,19 +29,20 @@ auto constant(const FabricId& fabric, auto change) {
 
 PropertySheet fabricSheet(const Document&, const Fabric& fabric) {
     PropertySheet sheet{tr("Fabric"), {}};
-    const auto number = [&](const char* name, const QString& label, Quantity quantity, double Fabric::*field, double low,
-                            double high, double step, const QString& tip = {}) {
+    const auto number = [&](const char* name, const QString& label, Quantity quantity, double Fabric::*field,
+                            double low, double high, double step, const QString& tip = {}) {
         sheet.rows.push_back({QString::fromLatin1(name), label,
                               NumberRow{quantity, fabric.*field, low, high, step,
                                         constant(fabric.id, [field](Fabric& f, double value) { f.*field = value; })},
                               tip});
     };
-    sheet.rows.push_back({QStringLiteral("name"), tr("Name"),
-                          TextRow{QString::fromStdString(fabric.name), constant(fabric.id, [](Fabric& f, const QString& name) {
-                                      f.name = name.toStdString();
-                                  })}});
+    sheet.rows.push_back(
+        {QStringLiteral("name"), tr("Name"),
+         TextRow{QString::fromStdString(fabric.name),
+                 constant(fabric.id, [](Fabric& f, const QString& name) { f.name = name.toStdString(); })}});
     sheet.rows.push_back({QStringLiteral("kind"), tr("Kind"),
-                          ChoiceRow{{tr("Woven"), tr("Knit")}, static_cast<int>(fabric.kind),
+                          ChoiceRow{{tr("Woven"), tr("Knit")},
+                                    static_cast<int>(fabric.kind),
                                     constant(fabric.id, [](Fabric& f, int index) {
                                         f.kind = static_cast<material::FabricKind>(index);
                                     })}});
@@ -60,14 +63,15 @@ PropertySheet fabricSheet(const Document&, const Fabric& fabric) {
         sheet.rows.push_back({QStringLiteral("sourceHeading"), tr("Where the numbers come from"), HeadingRow{}});
         sheet.rows.push_back({QStringLiteral("source"), {}, FactRow{QString::fromStdString(fabric.source)}});
     }
-    sheet.rows.push_back({QStringLiteral("duplicate"), tr("Duplicate fabric"), ActionRow{[fabric](const Document& document) {
-                              return document::edited(document, [&](const Pattern& pattern, IdSource& ids) {
-                                  Fabric copy = fabric;
-                                  copy.id = ids.take<FabricId>();
-                                  copy.name = tr("%1, copy").arg(QString::fromStdString(fabric.name)).toStdString();
-                                  return addFabric(pattern, std::move(copy));
-                              });
-                          }}});
+    sheet.rows.push_back(
+        {QStringLiteral("duplicate"), tr("Duplicate fabric"), ActionRow{[fabric](const Document& document) {
+             return document::edited(document, [&](const Pattern& pattern, IdSource& ids) {
+                 Fabric copy = fabric;
+                 copy.id = ids.take<FabricId>();
+                 copy.name = tr("%1, copy").arg(QString::fromStdString(fabric.name)).toStdString();
+                 return addFabric(pattern, std::move(copy));
+             });
+         }}});
     sheet.rows.push_back({QStringLiteral("remove"), tr("Delete fabric"), ActionRow{setting(fabric.id, removeFabric)}});
     return sheet;
 }

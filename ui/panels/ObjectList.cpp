@@ -12,7 +12,9 @@ namespace {
 
 using namespace pattern;
 
-QString tr(const char* text) { return QCoreApplication::translate("ObjectList", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("ObjectList", text);
+}
 
 QString named(const std::string& name, const QString& otherwise) {
     return name.empty() ? otherwise : QString::fromStdString(name);
@@ -23,9 +25,10 @@ ObjectGroup piecesOf(const Pattern& pattern) {
     for (const auto& piece : pattern.pieces) {
         group.lines.push_back({piece->id, named(piece->name, tr("(no name)")), QStringLiteral("piece"), 0});
         for (const Region& region : piece->regions)
-            group.lines.push_back({RegionRef{piece->id, region.id},
-                                   tr("%1 (1/%2)").arg(named(region.name, tr("Region"))).arg(1 << std::clamp(region.refinement, 0, 20)),
-                                   QStringLiteral("region"), 1});
+            group.lines.push_back(
+                {RegionRef{piece->id, region.id},
+                 tr("%1 (1/%2)").arg(named(region.name, tr("Region"))).arg(1 << std::clamp(region.refinement, 0, 20)),
+                 QStringLiteral("region"), 1});
     }
     return group;
 }
@@ -33,8 +36,8 @@ ObjectGroup piecesOf(const Pattern& pattern) {
 ObjectGroup seamsOf(const Pattern& pattern) {
     ObjectGroup group{tr("Seams"), {}};
     for (std::size_t i = 0; i < pattern.seams.size(); ++i)
-        group.lines.push_back({pattern.seams[i].id, named(pattern.seams[i].name, tr("Seam %1").arg(i + 1)),
-                               QStringLiteral("seam"), 0});
+        group.lines.push_back(
+            {pattern.seams[i].id, named(pattern.seams[i].name, tr("Seam %1").arg(i + 1)), QStringLiteral("seam"), 0});
     return group;
 }
 
@@ -81,7 +84,8 @@ void ObjectList::refresh() {
     clear();
     lines_.clear();
     for (const ObjectGroup& group : groups_) {
-        auto* head = new QTreeWidgetItem(this, {tr("%1  %2").arg(group.title).arg(std::ranges::count(group.lines, 0, &ObjectLine::level))});
+        auto* head = new QTreeWidgetItem(
+            this, {tr("%1  %2").arg(group.title).arg(std::ranges::count(group.lines, 0, &ObjectLine::level))});
         head->setFlags(Qt::ItemIsEnabled);
         head->setForeground(0, palette().brush(QPalette::Disabled, QPalette::Text));
         QTreeWidgetItem* above = head;

@@ -17,12 +17,18 @@ namespace {
 using namespace pattern;
 using document::Document;
 
-QString tr(const char* text) { return QCoreApplication::translate("Properties", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("Properties", text);
+}
 
-Placement placementOf(const Piece& piece) { return piece.placement.value_or(Placement{}); }
+Placement placementOf(const Piece& piece) {
+    return piece.placement.value_or(Placement{});
+}
 
 /// Direction of the right side round the vertical, 0 = towards +z.
-double turnOf(const Transform& transform) { return std::atan2(transform.axisZ.x, transform.axisZ.z); }
+double turnOf(const Transform& transform) {
+    return std::atan2(transform.axisZ.x, transform.axisZ.z);
+}
 
 /// A setter that changes the placement the piece has, or the one at the origin that it gets now.
 auto placing(const PieceId& id, auto change) {
@@ -47,7 +53,8 @@ DocumentResult withImage(const Document& document, const PieceId& id) {
     return document::edited(document, [&](const Pattern& pattern, IdSource& ids) -> Result<Pattern> {
         const Piece* piece = findPiece(pattern, id);
         if (!piece) return pattern;
-        auto next = addMirrorPiece(pattern, id, {0, 0}, {0, 1}, tr("%1 mirrored").arg(QString::fromStdString(piece->name)).toStdString(), ids);
+        auto next = addMirrorPiece(pattern, id, {0, 0}, {0, 1},
+                                   tr("%1 mirrored").arg(QString::fromStdString(piece->name)).toStdString(), ids);
         if (!next) return next;
         const PieceId image = next->pieces.back()->id;
         const double half = geometry::boundsOf(flattened(piece->outline, 1e-3)).high.x;
@@ -69,16 +76,19 @@ void addPlacementRows(PropertySheet& sheet, const Piece& piece) {
     sheet.rows.push_back(originRow(piece, 0, tr("To the left (x)")));
     sheet.rows.push_back(originRow(piece, 1, tr("Height (y)")));
     sheet.rows.push_back(originRow(piece, 2, tr("To the front (z)")));
-    sheet.rows.push_back({QStringLiteral("placementTurn"), tr("Turned"),
-                          NumberRow{Quantity::angle, turnOf(placement.transform), -std::numbers::pi, std::numbers::pi, 5,
-                                    placing(piece.id, [](Placement& p, double angle) {
-                                        p.transform = turned(p.transform, angle - turnOf(p.transform));
-                                    })},
-                          tr("About the vertical; 0 faces the front, 180 the back.")});
+    sheet.rows.push_back(
+        {QStringLiteral("placementTurn"), tr("Turned"),
+         NumberRow{
+             Quantity::angle, turnOf(placement.transform), -std::numbers::pi, std::numbers::pi, 5,
+             placing(piece.id, [](Placement& p,
+                                  double angle) { p.transform = turned(p.transform, angle - turnOf(p.transform)); })},
+         tr("About the vertical; 0 faces the front, 180 the back.")});
     sheet.rows.push_back({QStringLiteral("curled"), tr("Curled"),
-                          FlagRow{placement.curl.has_value(), placing(piece.id, [](Placement& p, bool on) {
-                                      p.curl = on ? std::optional<Curl>({{0, 1}, 0.15}) : std::nullopt;
-                                  })},
+                          FlagRow{placement.curl.has_value(),
+                                  placing(piece.id,
+                                          [](Placement& p, bool on) {
+                                              p.curl = on ? std::optional<Curl>({{0, 1}, 0.15}) : std::nullopt;
+                                          })},
                           tr("Rolled round an upright line before it is placed.")});
     if (!placement.curl) return;
     sheet.rows.push_back({QStringLiteral("curlRadius"), tr("Curl radius"),
@@ -97,8 +107,8 @@ void addMeshFacts(PropertySheet& sheet, const Document& document, const Piece& p
     sheet.rows.push_back({QStringLiteral("meshNodes"), tr("Nodes"), FactRow{QString::number(report.nodes)}});
     sheet.rows.push_back({QStringLiteral("meshQuads"), tr("Quads, triangles"),
                           FactRow{tr("%1, %2").arg(report.quads).arg(report.triangles)}});
-    sheet.rows.push_back({QStringLiteral("meshAngle"), tr("Smallest angle"),
-                          FactRow{textOf(Quantity::angle, report.minimumAngle)}});
+    sheet.rows.push_back(
+        {QStringLiteral("meshAngle"), tr("Smallest angle"), FactRow{textOf(Quantity::angle, report.minimumAngle)}});
 }
 
 } // namespace
@@ -106,10 +116,11 @@ void addMeshFacts(PropertySheet& sheet, const Document& document, const Piece& p
 PropertySheet pieceSheet(const Document& document, const Piece& piece, const meshing::MeshReport& mesh) {
     PropertySheet sheet{tr("Piece"), {}};
     const auto text = [](const std::string& s) { return QString::fromStdString(s); };
-    sheet.rows.push_back({QStringLiteral("name"), tr("Name"),
-                          TextRow{text(piece.name), setting(piece.id, [](const Pattern& p, const PieceId& id, const QString& name) {
-                                      return renamePiece(p, id, name.toStdString());
-                                  })}});
+    sheet.rows.push_back(
+        {QStringLiteral("name"), tr("Name"),
+         TextRow{text(piece.name), setting(piece.id, [](const Pattern& p, const PieceId& id, const QString& name) {
+                     return renamePiece(p, id, name.toStdString());
+                 })}});
     if (piece.mirror) {
         const Piece* source = findPiece(document.pattern, piece.mirror->source);
         sheet.rows.push_back({QStringLiteral("mirror"), tr("Mirror image of"),
@@ -129,8 +140,7 @@ PropertySheet pieceSheet(const Document& document, const Piece& piece, const mes
     });
     sheet.rows.push_back({QStringLiteral("fabric"), tr("Fabric"), fabric});
     sheet.rows.push_back({QStringLiteral("spacing"), tr("Particle distance"),
-                          NumberRow{Quantity::length, piece.spacing, 0.001, 0.2, 1,
-                                    setting(piece.id, setSpacing)},
+                          NumberRow{Quantity::length, piece.spacing, 0.001, 0.2, 1, setting(piece.id, setSpacing)},
                           tr("ε_m, the spacing of the main region: smaller is finer and slower.")});
     if (!piece.mirror)
         sheet.rows.push_back({QStringLiteral("grain"), tr("Grain"),
@@ -139,17 +149,19 @@ PropertySheet pieceSheet(const Document& document, const Piece& piece, const mes
                               tr("Direction of warp from upright, counter-clockwise.")});
     sheet.rows.push_back({QStringLiteral("rule"), tr("Scan lines"),
                           ChoiceRow{{tr("Regular grid"), tr("Through features"), tr("Through every point (Liu 2002)")},
-                                    static_cast<int>(piece.rule), setting(piece.id, [](const Pattern& p, const PieceId& id, int index) {
+                                    static_cast<int>(piece.rule),
+                                    setting(piece.id, [](const Pattern& p, const PieceId& id, int index) {
                                         return setLineRule(p, id, static_cast<LineRule>(index));
                                     })}});
     sheet.rows.push_back({QStringLiteral("border"), tr("Region borders"),
-                          ChoiceRow{{tr("Snap to main cells"), tr("Exact")}, static_cast<int>(piece.border),
+                          ChoiceRow{{tr("Snap to main cells"), tr("Exact")},
+                                    static_cast<int>(piece.border),
                                     setting(piece.id, [](const Pattern& p, const PieceId& id, int index) {
                                         return setRegionBorder(p, id, static_cast<RegionBorder>(index));
                                     })}});
-    sheet.rows.push_back({QStringLiteral("seamAllowance"), tr("Seam allowance"),
-                          NumberRow{Quantity::length, piece.seamAllowance, 0, 0.1, 1,
-                                    setting(piece.id, setSeamAllowance)}});
+    sheet.rows.push_back(
+        {QStringLiteral("seamAllowance"), tr("Seam allowance"),
+         NumberRow{Quantity::length, piece.seamAllowance, 0, 0.1, 1, setting(piece.id, setSeamAllowance)}});
     if (!piece.mirror)
         sheet.rows.push_back({QStringLiteral("addMirror"), tr("Add mirror image"),
                               ActionRow{[id = piece.id](const Document& d) { return withImage(d, id); }},

@@ -23,8 +23,8 @@ struct Overloaded : Cases... {
 /// Rows of two sheets can share their widgets.
 bool sameShape(const PropertySheet& a, const PropertySheet& b) {
     return a.title == b.title && std::ranges::equal(a.rows, b.rows, [](const PropertyRow& x, const PropertyRow& y) {
-        return x.name == y.name && x.label == y.label && x.content.index() == y.content.index();
-    });
+               return x.name == y.name && x.label == y.label && x.content.index() == y.content.index();
+           });
 }
 
 QLabel* heading(const QString& text) {

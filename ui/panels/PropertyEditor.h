@@ -11,8 +11,8 @@ class QLabel;
 
 namespace toile::ui {
 
-/// Shows the sheet of what is selected. Each change is one step of the document; widgets hold nothing themselves and are
-/// made anew when the sheet's shape changes.
+/// Shows the sheet of what is selected. Each change is one step of the document; widgets hold nothing themselves and
+/// are made anew when the sheet's shape changes.
 class PropertyEditor : public QScrollArea {
     Q_OBJECT
 public:

@@ -10,7 +10,9 @@ namespace {
 using document::Document;
 using simulation::SceneSettings;
 
-QString tr(const char* text) { return QCoreApplication::translate("Properties", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("Properties", text);
+}
 
 auto setting(auto change) {
     return [change](const Document& document, auto value) -> DocumentResult {
@@ -36,7 +38,9 @@ PropertySheet sceneSheet(const Document& document) {
     sheet.rows.push_back({QStringLiteral("avatar"), tr("Avatar"), FactRow{avatar.isEmpty() ? tr("none") : avatar}});
     sheet.rows.push_back({QStringLiteral("gravity"), tr("Gravity"),
                           NumberRow{Quantity::acceleration, -scene.gravity.y, -100, 100, 0.5,
-                                    setting([](SceneSettings& s, double value) { s.gravity = {0, -value, 0}; })},
+                                    setting([](SceneSettings& s, double value) {
+                                        s.gravity = {0, -value, 0};
+                                    })},
                           tr("Downward.")});
     number("damping", tr("Damping"), Quantity::damping, &SceneSettings::damping, 0, 100, 0.1,
            tr("Mass-proportional: how soon the cloth comes to rest."));

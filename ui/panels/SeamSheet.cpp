@@ -14,7 +14,9 @@ namespace {
 using namespace pattern;
 using document::Document;
 
-QString tr(const char* text) { return QCoreApplication::translate("Properties", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("Properties", text);
+}
 
 /// Difference of lengths that is neither declared as ease nor as gathering: worth a look from this on [m].
 constexpr double notableMismatch = 0.5e-3;
@@ -22,7 +24,8 @@ constexpr double notableMismatch = 0.5e-3;
 void addLengthRows(PropertySheet& sheet, const Desk& desk, const Seam& seam) {
     const auto sections = sectionsOf(desk.document.pattern, seam);
     if (!sections) {
-        sheet.rows.push_back({QStringLiteral("lengthA"), tr("Lengths"), FactRow{tr("a side or its notches do not fit"), true}});
+        sheet.rows.push_back(
+            {QStringLiteral("lengthA"), tr("Lengths"), FactRow{tr("a side or its notches do not fit"), true}});
         return;
     }
     double a = 0, b = 0, wanted = 0, mismatch = 0;
@@ -39,15 +42,16 @@ void addLengthRows(PropertySheet& sheet, const Desk& desk, const Seam& seam) {
                           tr("Red where it is more than is declared as ease.")});
     if (sections->size() == 1)
         sheet.rows.push_back({QStringLiteral("ease"), tr("Ease (A − B)"),
-                              NumberRow{Quantity::length, wanted, -1, 1, 1, setting(seam.id, [](const Pattern& p, const SeamId& id, double ease) {
-                                            return setSeamEase(p, id, 0, ease);
-                                        })},
+                              NumberRow{Quantity::length, wanted, -1, 1, 1,
+                                        setting(seam.id, [](const Pattern& p, const SeamId& id,
+                                                            double ease) { return setSeamEase(p, id, 0, ease); })},
                               tr("How much longer side A is wanted.")});
     else
         sheet.rows.push_back({QStringLiteral("ease"), tr("Ease in %1 sections").arg(sections->size()),
                               FactRow{differenceTextOf(Quantity::length, wanted)}});
     if (mismatch > notableMismatch)
-        sheet.rows.push_back({QStringLiteral("easeAway"), tr("Take the difference as ease"), ActionRow{setting(seam.id, easeAway)}});
+        sheet.rows.push_back(
+            {QStringLiteral("easeAway"), tr("Take the difference as ease"), ActionRow{setting(seam.id, easeAway)}});
 }
 
 } // namespace
@@ -64,14 +68,16 @@ PropertySheet seamSheet(const Desk& desk, const Seam& seam) {
                           NumberRow{Quantity::foldAngle, seam.foldAngle, -std::numbers::pi, std::numbers::pi, 5,
                                     setting(seam.id, setFoldAngle)},
                           tr("180° is flat.")});
-    sheet.rows.push_back({QStringLiteral("stiffness"), tr("Stiffness"),
-                          NumberRow{Quantity::factor, seam.stiffnessFactor, 0, 1000, 0.5, setting(seam.id, setSeamStiffness)},
-                          tr("Bending along the seam, as a factor.")});
+    sheet.rows.push_back(
+        {QStringLiteral("stiffness"), tr("Stiffness"),
+         NumberRow{Quantity::factor, seam.stiffnessFactor, 0, 1000, 0.5, setting(seam.id, setSeamStiffness)},
+         tr("Bending along the seam, as a factor.")});
     sheet.rows.push_back({QStringLiteral("order"), tr("Order"),
                           NumberRow{Quantity::count, double(seam.order), -1000, 1000, 1,
-                                    setting(seam.id, [](const Pattern& p, const SeamId& id, double order) {
-                                        return setSeamOrder(p, id, static_cast<int>(std::lround(order)));
-                                    })},
+                                    setting(seam.id,
+                                            [](const Pattern& p, const SeamId& id, double order) {
+                                                return setSeamOrder(p, id, static_cast<int>(std::lround(order)));
+                                            })},
                           tr("Smaller is sewn first.")});
     sheet.rows.push_back({QStringLiteral("reverse"), tr("Reverse"), ActionRow{setting(seam.id, reverseSeam)},
                           tr("Side B is sewn from its other end.")});

@@ -9,7 +9,8 @@ namespace toile::ui {
 /// An edit of core/pattern, edit(pattern, value…), as the setter of a property.
 inline auto setting(auto edit) {
     return [edit](const document::Document& document, auto... value) -> DocumentResult {
-        return document::edited(document, [&](const pattern::Pattern& p, pattern::IdSource&) { return edit(p, value...); });
+        return document::edited(document,
+                                [&](const pattern::Pattern& p, pattern::IdSource&) { return edit(p, value...); });
     };
 }
 

@@ -14,13 +14,18 @@ QColor onCircle(std::size_t index, double start, double saturation, double value
 
 } // namespace
 
-QColor distinct(std::size_t index) { return onCircle(index, 0.02, 0.72, 0.82); }
+QColor distinct(std::size_t index) {
+    return onCircle(index, 0.02, 0.72, 0.82);
+}
 
-QColor fabricTint(std::size_t index) { return onCircle(index, 0.58, 0.10, 0.96); }
+QColor fabricTint(std::size_t index) {
+    return onCircle(index, 0.58, 0.10, 0.96);
+}
 
 QColor regionTint(int refinement) {
     const int step = std::clamp(refinement, 0, 5);
-    const double hues[] = {0.42, 0.14, 0.07, 0.0, 0.93, 0.85}; // green at the main spacing, then from yellow over red to violet
+    const double hues[] = {0.42, 0.14, 0.07,
+                           0.0,  0.93, 0.85}; // green at the main spacing, then from yellow over red to violet
     return QColor::fromHsvF(static_cast<float>(hues[step]), 0.80F, 0.95F, 0.22F + 0.04F * static_cast<float>(step));
 }
 

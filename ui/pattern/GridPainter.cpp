@@ -25,8 +25,10 @@ void paintLines(QPainter& painter, const ViewTransform& view, double step, const
 void paintAxes(QPainter& painter, const ViewTransform& view) {
     const QPointF origin = view.toScreen({0, 0});
     painter.setPen(QPen(colours::gridAxis, 1));
-    painter.drawLine(QPointF(std::round(origin.x()) + 0.5, 0), QPointF(std::round(origin.x()) + 0.5, view.size.height()));
-    painter.drawLine(QPointF(0, std::round(origin.y()) + 0.5), QPointF(view.size.width(), std::round(origin.y()) + 0.5));
+    painter.drawLine(QPointF(std::round(origin.x()) + 0.5, 0),
+                     QPointF(std::round(origin.x()) + 0.5, view.size.height()));
+    painter.drawLine(QPointF(0, std::round(origin.y()) + 0.5),
+                     QPointF(view.size.width(), std::round(origin.y()) + 0.5));
 }
 
 QString millimetres(double metres) {

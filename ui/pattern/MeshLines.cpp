@@ -8,7 +8,9 @@ namespace {
 
 using Side = std::pair<int, int>;
 
-Side side(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+Side side(int a, int b) {
+    return {std::min(a, b), std::max(a, b)};
+}
 
 /// The side that two triangles share, or (−1, −1).
 Side commonSide(const meshing::Triangle& a, const meshing::Triangle& b) {
@@ -25,8 +27,8 @@ std::vector<Side> sidesOf(const meshing::PieceMesh& mesh) {
     for (const meshing::Rectangle& rectangle : mesh.rectangles)
         for (int i = 0; i < 4; ++i) sides.push_back(side(rectangle.nodes[i], rectangle.nodes[(i + 1) % 4]));
     for (const meshing::Triangle& triangle : mesh.triangles) {
-        const Side hidden = triangle.mergedWith >= 0 ? commonSide(triangle, mesh.triangles[triangle.mergedWith])
-                                                     : Side{-1, -1};
+        const Side hidden =
+            triangle.mergedWith >= 0 ? commonSide(triangle, mesh.triangles[triangle.mergedWith]) : Side{-1, -1};
         for (int i = 0; i < 3; ++i)
             if (const Side s = side(triangle.nodes[i], triangle.nodes[(i + 1) % 3]); s != hidden) sides.push_back(s);
     }

@@ -58,7 +58,8 @@ void paintOverlay(QPainter& painter, const ViewTransform& view, const Overlay& o
         painter.drawEllipse(view.toScreen(circle.centre), circle.radius * view.scale, circle.radius * view.scale);
     }
     for (const Overlay::Arrow& arrow : overlay.arrows)
-        paintArrowHead(painter, view.toScreen(arrow.at), {arrow.direction.x, -arrow.direction.y}, 13, colourOf(arrow.role));
+        paintArrowHead(painter, view.toScreen(arrow.at), {arrow.direction.x, -arrow.direction.y}, 13,
+                       colourOf(arrow.role));
     for (const Overlay::Mark& mark : overlay.marks) {
         painter.setPen(QPen(colourOf(mark.role), 1.5));
         painter.setBrush(Qt::white);

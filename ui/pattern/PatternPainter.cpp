@@ -138,7 +138,8 @@ void paintName(QPainter& painter, const ViewTransform& view, const FlatPiece& pi
 }
 
 /// Selected and hovered edges and pieces, above everything else of the piece.
-void paintHighlights(QPainter& painter, const ViewTransform& view, const FlatPiece& piece, const PatternPicture& picture) {
+void paintHighlights(QPainter& painter, const ViewTransform& view, const FlatPiece& piece,
+                     const PatternPicture& picture) {
     painter.setBrush(Qt::NoBrush);
     const auto highlight = [&](const Item& item, const QColor& colour) {
         if (pieceOf(item) != piece.piece.id) return;
@@ -161,7 +162,8 @@ void paintArrowHead(QPainter& painter, QPointF at, QPointF direction, double siz
     painter.save();
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
-    painter.drawPolygon(QPolygonF{at, at - along * size + across * (size * 0.45), at - along * size - across * (size * 0.45)});
+    painter.drawPolygon(
+        QPolygonF{at, at - along * size + across * (size * 0.45), at - along * size - across * (size * 0.45)});
     painter.restore();
 }
 
@@ -174,7 +176,8 @@ void paintPieces(QPainter& painter, const ViewTransform& view, const PatternPict
         tint.setAlphaF(0.92F);
         painter.fillPath(shape, tint);
         if (picture.look.regions) paintRegions(painter, view, piece, picture);
-        if (picture.look.mesh && i < picture.mesh.size()) paintMesh(painter, view, picture.mesh[i], piece.piece.tablePosition);
+        if (picture.look.mesh && i < picture.mesh.size())
+            paintMesh(painter, view, picture.mesh[i], piece.piece.tablePosition);
         paintInternalLines(painter, view, piece.piece);
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(colours::outline, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
@@ -217,7 +220,8 @@ void paintPins(QPainter& painter, const ViewTransform& view, const PatternPictur
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colours::warning, 2.4));
     for (const Pin& pin : picture.pattern.pins)
-        if (const auto at = positionOf(picture.flat, VertexRef{pin.piece, pin.vertex})) painter.drawEllipse(view.toScreen(*at), 7, 7);
+        if (const auto at = positionOf(picture.flat, VertexRef{pin.piece, pin.vertex}))
+            painter.drawEllipse(view.toScreen(*at), 7, 7);
 }
 
 void paint(QPainter& painter, const ViewTransform& view, const PatternPicture& picture) {

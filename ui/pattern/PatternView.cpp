@@ -70,7 +70,9 @@ void PatternView::setLook(const PatternLook& look) {
     update();
 }
 
-void PatternView::fitAll() { setView(fitted(view_, boundsOf(workbench_.flat()), fitMargin)); }
+void PatternView::fitAll() {
+    setView(fitted(view_, boundsOf(workbench_.flat()), fitMargin));
+}
 
 void PatternView::fitSelection() {
     std::vector<Vec2> corners;
@@ -83,7 +85,9 @@ void PatternView::fitSelection() {
     setView(fitted(view_, geometry::boundsOf(corners), fitMargin));
 }
 
-void PatternView::zoomBy(double factor) { setView(zoomed(view_, factor, QRectF(rect()).center())); }
+void PatternView::zoomBy(double factor) {
+    setView(zoomed(view_, factor, QRectF(rect()).center()));
+}
 
 void PatternView::paintEvent(QPaintEvent*) {
     QPainter painter(this);

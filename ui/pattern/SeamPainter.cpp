@@ -16,7 +16,9 @@ void paintPath(QPainter& painter, const ViewTransform& view, const std::vector<V
     painter.drawPolyline(line);
 }
 
-QPointF screenDirection(Vec2 direction) { return {direction.x, -direction.y}; }
+QPointF screenDirection(Vec2 direction) {
+    return {direction.x, -direction.y};
+}
 
 /// A dot where the side begins and an arrow head a little later: the points that meet, not flags.
 void paintDirection(QPainter& painter, const ViewTransform& view, const std::vector<std::vector<Vec2>>& paths,
@@ -42,7 +44,8 @@ void paintPartners(QPainter& painter, const ViewTransform& view, const std::vect
     painter.setPen(QPen(colour, 1, Qt::DashLine));
     for (int i = 0; i <= links; ++i) {
         const double fraction = double(i) / links;
-        painter.drawLine(view.toScreen(pointAlong(a, fraction).position), view.toScreen(pointAlong(b, fraction).position));
+        painter.drawLine(view.toScreen(pointAlong(a, fraction).position),
+                         view.toScreen(pointAlong(b, fraction).position));
     }
 }
 

@@ -71,10 +71,8 @@ Effect CutDart::press(const Desk& desk, const PointerEvent& event) {
 }
 
 Effect CutDart::move(const Desk& desk, const PointerEvent& event) {
-    if (mouth_)
-        tip_ = tipAt(desk, event);
-    else
-        under_ = edgeAt(desk.flat, event.position, event.tolerance);
+    if (mouth_) tip_ = tipAt(desk, event);
+    else under_ = edgeAt(desk.flat, event.position, event.tolerance);
     return {};
 }
 
@@ -103,11 +101,11 @@ Overlay CutDart::overlay(const Desk& desk) const {
     overlay.lines.push_back({{from, tip_, to}, Overlay::Role::sideA, false, true, 2});
     overlay.lines.push_back({{mouth_->point, tip_}, Overlay::Role::sideA, true, false, 1});
     overlay.marks.push_back({tip_, Overlay::Role::sideA});
-    overlay.labels.push_back({tip_,
-                              tr("%1 wide, %2 deep")
-                                  .arg(textOf(Quantity::length, options_.width),
-                                       textOf(Quantity::length, distance(mouth_->point, tip_))),
-                              Overlay::Role::sideA});
+    overlay.labels.push_back(
+        {tip_,
+         tr("%1 wide, %2 deep")
+             .arg(textOf(Quantity::length, options_.width), textOf(Quantity::length, distance(mouth_->point, tip_))),
+         Overlay::Role::sideA});
     return overlay;
 }
 

@@ -25,8 +25,7 @@ Effect CutHole::made(const Desk& desk, const PieceId& piece, const std::vector<V
     if (!std::ranges::all_of(corners, [&](Vec2 corner) { return covers(flat, corner); }))
         return refusal(tr("A hole lies inside its piece, with all its corners."));
     const ShapeOwner owner = shapeOwner(desk.document.pattern, piece);
-    return effectOf(tr("Cut hole"),
-                    document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
+    return effectOf(tr("Cut hole"), document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
                         return addHole(pattern, owner.piece, owner.points(corners), ids);
                     }));
 }

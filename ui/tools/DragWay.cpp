@@ -19,8 +19,7 @@ Effect dragEnd() {
     return effect;
 }
 
-std::optional<Selection> pressedSelection(const Selection& selection, const std::optional<Item>& item,
-                                          bool shift) {
+std::optional<Selection> pressedSelection(const Selection& selection, const std::optional<Item>& item, bool shift) {
     if (!item) return shift ? std::nullopt : std::optional(Selection{});
     if (shift) return toggled(selection, *item);
     return contains(selection, *item) ? std::nullopt : std::optional(Selection{*item});

@@ -32,7 +32,7 @@ private:
 [[nodiscard]] Effect dragEnd();
 /// What a press on a thing selects: it alone, or with Shift it besides the others. Nothing where the press is
 /// the beginning of a drag of all that is selected.
-[[nodiscard]] std::optional<Selection> pressedSelection(const Selection& selection,
-                                                        const std::optional<Item>& item, bool shift);
+[[nodiscard]] std::optional<Selection> pressedSelection(const Selection& selection, const std::optional<Item>& item,
+                                                        bool shift);
 
 } // namespace toile::ui

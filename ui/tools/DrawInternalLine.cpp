@@ -15,7 +15,9 @@ namespace {
 
 using namespace pattern;
 
-QString tr(const char* text) { return QCoreApplication::translate("DrawInternalLine", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("DrawInternalLine", text);
+}
 
 } // namespace
 
@@ -38,7 +40,9 @@ Effect DrawInternalLine::move(const Desk&, const PointerEvent& event) {
     return {};
 }
 
-Effect DrawInternalLine::doubleClick(const Desk& desk, const PointerEvent&) { return finish(desk); }
+Effect DrawInternalLine::doubleClick(const Desk& desk, const PointerEvent&) {
+    return finish(desk);
+}
 
 Effect DrawInternalLine::key(const Desk& desk, ToolKey key) {
     if (key == ToolKey::enter) return finish(desk);
@@ -59,11 +63,11 @@ Effect DrawInternalLine::finish(const Desk& desk) {
     cancel();
     const std::string name = tr("Line %1").arg(piece->piece.internalLines.size() + 1).toStdString();
     return effectOf(tr("Draw internal line"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-        return changedShape(pattern, owner.piece, [&](Piece& changed) -> Result<void> {
-            changed.internalLines.push_back({name, points});
-            return {};
-        });
-    }));
+                        return changedShape(pattern, owner.piece, [&](Piece& changed) -> Result<void> {
+                            changed.internalLines.push_back({name, points});
+                            return {};
+                        });
+                    }));
 }
 
 Overlay DrawInternalLine::overlay(const Desk&) const {

@@ -17,7 +17,9 @@ namespace {
 
 using namespace pattern;
 
-QString tr(const char* text) { return QCoreApplication::translate("DrawPiece", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("DrawPiece", text);
+}
 
 /// The new piece: its origin in the middle of what was drawn, so that it curls and turns about itself.
 Result<Pattern> withPiece(const Pattern& pattern, std::vector<Vec2> points, std::span<const EdgeShape> shapes,
@@ -87,7 +89,9 @@ Effect DrawPiece::release(const Desk&, const PointerEvent&) {
     return {};
 }
 
-Effect DrawPiece::doubleClick(const Desk& desk, const PointerEvent&) { return finish(desk); }
+Effect DrawPiece::doubleClick(const Desk& desk, const PointerEvent&) {
+    return finish(desk);
+}
 
 Effect DrawPiece::key(const Desk& desk, ToolKey key) {
     switch (key) {
@@ -130,9 +134,10 @@ Effect DrawPiece::finish(const Desk& desk) {
         points.push_back(points_[i].at);
         shapes.push_back(shapeBetween(points_[i], points_[(i + 1) % points_.size()]));
     }
-    Effect effect = effectOf(tr("Draw piece"), document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
-        return withPiece(pattern, points, shapes, ids);
-    }));
+    Effect effect =
+        effectOf(tr("Draw piece"), document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
+                     return withPiece(pattern, points, shapes, ids);
+                 }));
     if (!effect.edit) return effect; // the outline stays, to be mended
     effect.selection = Selection{effect.edit->after.pattern.pieces.back()->id};
     cancel();
@@ -151,7 +156,8 @@ Overlay DrawPiece::overlay(const Desk&) const {
     if (!path.empty()) overlay.lines.push_back({path, Overlay::Role::draft});
     const Point& last = points_.back();
     if (pulling_ && last.handle) {
-        overlay.lines.push_back({{last.at - *last.handle, last.at + *last.handle}, Overlay::Role::hover, false, false, 1});
+        overlay.lines.push_back(
+            {{last.at - *last.handle, last.at + *last.handle}, Overlay::Role::hover, false, false, 1});
         overlay.marks.push_back({last.at + *last.handle, Overlay::Role::hover});
         overlay.marks.push_back({last.at - *last.handle, Overlay::Role::hover});
     } else if (!pulling_) {

@@ -25,8 +25,7 @@ std::optional<EdgeHit> hitAt(const FlatPattern& flat, const PointerEvent& event)
     auto hit = edgeAt(flat, event.position, event.tolerance);
     if (!hit) return hit;
     const std::vector<Vec2> path = pathOf(flat, hit->edge);
-    if (const Vec2 middle = pointAlong(path, 0.5).position;
-        distance(middle, event.position) <= event.tolerance) {
+    if (const Vec2 middle = pointAlong(path, 0.5).position; distance(middle, event.position) <= event.tolerance) {
         hit->fraction = 0.5;
         hit->point = middle;
     }
@@ -35,8 +34,7 @@ std::optional<EdgeHit> hitAt(const FlatPattern& flat, const PointerEvent& event)
 
 /// The notch of the edge within the tolerance, as its owner counts them.
 std::optional<std::size_t> notchAt(const Desk& desk, const EdgeHit& hit, double tolerance) {
-    const Piece* owner =
-        findPiece(desk.document.pattern, shapeOwner(desk.document.pattern, hit.edge.piece).piece);
+    const Piece* owner = findPiece(desk.document.pattern, shapeOwner(desk.document.pattern, hit.edge.piece).piece);
     const double length = lengthOf(pathOf(desk.flat, hit.edge));
     for (std::size_t i = 0; owner && i < owner->notches.size(); ++i)
         if (owner->notches[i].edge == hit.edge.edge &&
@@ -58,16 +56,14 @@ Effect EditNotches::press(const Desk& desk, const PointerEvent& event) {
     if (!event.modifiers.alt && touched)
         return refusal(tr("There is a notch here already; its edge's properties change it."));
     if (event.modifiers.alt)
-        effect = effectOf(tr("Take notch out"),
-                          document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
+        effect = effectOf(tr("Take notch out"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
                               return removeNotch(pattern, piece, *touched);
                           }));
     else
         effect =
             effectOf(tr("Set notch"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-                         return addNotch(
-                             pattern, piece,
-                             {under_->edge.edge, under_->fraction, NotchKind::slit, event.modifiers.shift});
+                         return addNotch(pattern, piece,
+                                         {under_->edge.edge, under_->fraction, NotchKind::slit, event.modifiers.shift});
                      }));
     effect.selection = Selection{under_->edge};
     return effect;
@@ -85,8 +81,7 @@ Effect EditNotches::key(const Desk& desk, ToolKey key) {
 Overlay EditNotches::overlay(const Desk& desk) const {
     Overlay overlay;
     if (!under_) return overlay;
-    const std::vector<Vec2> path =
-        pathOf(desk.flat, SeamPart{under_->edge.piece, under_->edge.edge, 0, 1, false});
+    const std::vector<Vec2> path = pathOf(desk.flat, SeamPart{under_->edge.piece, under_->edge.edge, 0, 1, false});
     if (path.size() < 2) return overlay;
     const double length = lengthOf(path);
     overlay.lines.push_back({path, Overlay::Role::hover});

@@ -98,8 +98,7 @@ Effect EditPoints::move(const Desk& desk, const PointerEvent& event) {
 Effect EditPoints::dragHandle(const Desk& desk, Vec2 way) const {
     const ShapeOwner owner = shapeOwner(desk.document.pattern, handle_->edge.piece);
     const Vec2 to = owner.point(drag_->pressedAt() + way);
-    const bool first =
-        (handle_->control == 1) != owner.mirror.has_value(); // an image's edges run against the source's
+    const bool first = (handle_->control == 1) != owner.mirror.has_value(); // an image's edges run against the source's
     return effectOf(tr("Move handle"),
                     document::edited(desk.document,
                                      [&](const Pattern& pattern, IdSource&) {
@@ -142,13 +141,12 @@ Effect EditPoints::doubleClick(const Desk& desk, const PointerEvent& event) {
     if (vertexAt(desk.flat, event.position, event.tolerance)) return {};
     const auto hit = edgeAt(desk.flat, event.position, event.tolerance);
     if (!hit) return {};
-    Effect effect = effectOf(tr("Insert point"),
-                             document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
-                                 return insertVertex(pattern, shapeOwner(pattern, hit->edge.piece).piece,
-                                                     hit->edge.edge, hit->fraction, ids);
-                             }));
-    if (effect.edit)
-        effect.selection = newVertices(desk.document.pattern, effect.edit->after.pattern, hit->edge.piece);
+    Effect effect =
+        effectOf(tr("Insert point"), document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
+                     return insertVertex(pattern, shapeOwner(pattern, hit->edge.piece).piece, hit->edge.edge,
+                                         hit->fraction, ids);
+                 }));
+    if (effect.edit) effect.selection = newVertices(desk.document.pattern, effect.edit->after.pattern, hit->edge.piece);
     return effect;
 }
 
@@ -168,8 +166,7 @@ std::vector<Item> EditPoints::hovered() const {
 }
 
 QString EditPoints::hint() const {
-    return tr(
-        "Drag points, handles or edges; double-click an edge to insert a point, Delete removes. Shift adds.");
+    return tr("Drag points, handles or edges; double-click an edge to insert a point, Delete removes. Shift adds.");
 }
 
 } // namespace toile::ui

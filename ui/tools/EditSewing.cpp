@@ -13,7 +13,9 @@ namespace {
 
 using namespace pattern;
 
-QString tr(const char* text) { return QCoreApplication::translate("Sewing", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("Sewing", text);
+}
 
 std::optional<SeamId> under(const Desk& desk, const PointerEvent& event) {
     return seamAt(desk.document.pattern, desk.flat, event.position, event.tolerance);
@@ -39,8 +41,8 @@ Effect EditSewing::doubleClick(const Desk& desk, const PointerEvent& event) {
     const auto seam = under(desk, event);
     if (!seam) return {};
     return effectOf(tr("Reverse seam"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-        return reverseSeam(pattern, *seam);
-    }));
+                        return reverseSeam(pattern, *seam);
+                    }));
 }
 
 Effect EditSewing::key(const Desk& desk, ToolKey key) {
@@ -53,6 +55,8 @@ std::vector<Item> EditSewing::hovered() const {
     return hovered_ ? std::vector<Item>{*hovered_} : std::vector<Item>{};
 }
 
-QString EditSewing::hint() const { return tr("Click a seam to select it; double-click reverses it, Delete takes it out."); }
+QString EditSewing::hint() const {
+    return tr("Click a seam to select it; double-click reverses it, Delete takes it out.");
+}
 
 } // namespace toile::ui

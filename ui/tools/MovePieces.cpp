@@ -39,8 +39,8 @@ Effect MovePieces::press(const Desk& desk, const PointerEvent& event) {
     const auto piece = pieceAt(desk.flat, event.position);
     drag_.reset();
     if (piece) drag_.emplace(event.position, "move pieces", ++drags_);
-    effect.selection = pressedSelection(desk.selection, piece ? std::optional<Item>(*piece) : std::nullopt,
-                                        event.modifiers.shift);
+    effect.selection =
+        pressedSelection(desk.selection, piece ? std::optional<Item>(*piece) : std::nullopt, event.modifiers.shift);
     return effect;
 }
 
@@ -52,12 +52,11 @@ Effect MovePieces::move(const Desk& desk, const PointerEvent& event) {
     const auto way = drag_->wayTo(event);
     const std::vector<PieceId> pieces = piecesIn(desk.selection);
     if (!way || pieces.empty()) return {};
-    Effect effect = effectOf(tr("Move piece"),
-                             document::edited(desk.document,
-                                              [&](const Pattern& pattern, IdSource&) {
-                                                  return movedOnTable(pattern, pieces, drag_->rest(*way));
-                                              }),
-                             drag_->mergeKey());
+    Effect effect = effectOf(
+        tr("Move piece"),
+        document::edited(desk.document, [&](const Pattern& pattern,
+                                            IdSource&) { return movedOnTable(pattern, pieces, drag_->rest(*way)); }),
+        drag_->mergeKey());
     if (effect.edit) drag_->went(*way);
     return effect;
 }
@@ -83,8 +82,7 @@ std::vector<Item> MovePieces::hovered() const {
 }
 
 QString MovePieces::hint() const {
-    return tr(
-        "Drag pieces to where you want them on the table; Shift adds to the selection, Delete takes out.");
+    return tr("Drag pieces to where you want them on the table; Shift adds to the selection, Delete takes out.");
 }
 
 } // namespace toile::ui

@@ -19,7 +19,9 @@ using namespace pattern;
 
 constexpr double smallestRadius = 0.002, largestRadius = 0.3; // [m]
 
-QString tr(const char* text) { return QCoreApplication::translate("PaintRegion", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("PaintRegion", text);
+}
 
 const Region* findRegion(const Pattern& pattern, const RegionRef& ref) {
     const Piece* piece = findPiece(pattern, shapeOwner(pattern, ref.piece).piece);
@@ -71,17 +73,20 @@ Effect PaintBrush::paint(const Desk& desk, const Stroke& drawn) const {
     const ShapeOwner owner = shapeOwner(desk.document.pattern, drawn.piece);
     const pattern::Stroke stroke{owner.points(drawn.points), options_.radius};
     for (const RegionRef& region : candidates(desk, drawn.piece, drawn.points.front(), options_.refinement)) {
-        Effect effect = effectOf(tr("Paint region"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-            return paintRegion(pattern, owner.piece, region.region, stroke);
-        }));
+        Effect effect =
+            effectOf(tr("Paint region"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
+                         return paintRegion(pattern, owner.piece, region.region, stroke);
+                     }));
         if (!effect.edit) continue; // the stroke does not touch it
         effect.selection = Selection{region};
         return effect;
     }
-    const std::string name = tr("Region %1").arg(findPiece(desk.flat, drawn.piece)->piece.regions.size() + 1).toStdString();
-    Effect effect = effectOf(tr("Paint region"), document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
-        return paintNewRegion(pattern, owner.piece, stroke, name, options_.refinement, ids);
-    }));
+    const std::string name =
+        tr("Region %1").arg(findPiece(desk.flat, drawn.piece)->piece.regions.size() + 1).toStdString();
+    Effect effect =
+        effectOf(tr("Paint region"), document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
+                     return paintNewRegion(pattern, owner.piece, stroke, name, options_.refinement, ids);
+                 }));
     if (effect.edit)
         effect.selection =
             Selection{RegionRef{drawn.piece, findPiece(effect.edit->after.pattern, owner.piece)->regions.back().id}};
@@ -96,8 +101,8 @@ Effect PaintBrush::erase(const Desk& desk, const Stroke& drawn) const {
     const ShapeOwner owner = shapeOwner(desk.document.pattern, drawn.piece);
     const pattern::Stroke stroke{owner.points(drawn.points), options_.radius};
     return effectOf(tr("Erase region"), document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
-        return eraseRegion(pattern, owner.piece, region->region, stroke, ids);
-    }));
+                        return eraseRegion(pattern, owner.piece, region->region, stroke, ids);
+                    }));
 }
 
 Effect PaintBrush::key(const Desk& desk, ToolKey key) {
@@ -111,7 +116,9 @@ bool PaintBrush::wheel(double notches) {
     return true;
 }
 
-void PaintBrush::cancel() { stroke_.reset(); }
+void PaintBrush::cancel() {
+    stroke_.reset();
+}
 
 Overlay PaintBrush::overlay(const Desk&) const {
     Overlay overlay;
@@ -127,7 +134,8 @@ Overlay PaintBrush::overlay(const Desk&) const {
 }
 
 QString PaintBrush::hint() const {
-    return tr("Paint on a piece; Alt takes away, Ctrl and the wheel change the brush, Delete removes the selected region.");
+    return tr(
+        "Paint on a piece; Alt takes away, Ctrl and the wheel change the brush, Delete removes the selected region.");
 }
 
 } // namespace toile::ui

@@ -7,8 +7,8 @@ namespace toile::ui {
 
 /// What the tools for regions share: chosen in the bar above the pattern.
 struct PaintOptions {
-    int refinement = 1;    ///< m of the spacing ε_m/2^m, 0 … 5
-    double radius = 0.03;  ///< of the brush [m]
+    int refinement = 1;   ///< m of the spacing ε_m/2^m, 0 … 5
+    double radius = 0.03; ///< of the brush [m]
 };
 
 /// Paints a region by its corners.
@@ -17,16 +17,17 @@ public:
     explicit PaintPolygon(const PaintOptions& options) : options_(options) {}
 
 protected:
-    [[nodiscard]] Effect made(const Desk& desk, const pattern::PieceId& piece, const std::vector<Vec2>& corners) const override;
+    [[nodiscard]] Effect made(const Desk& desk, const pattern::PieceId& piece,
+                              const std::vector<Vec2>& corners) const override;
     [[nodiscard]] QString firstHint() const override;
 
 private:
     const PaintOptions& options_;
 };
 
-/// Paints a region with a round brush. A stroke that begins on a region of the same refinement, or while such a region of
-/// the piece is selected and touched, adds to it; other strokes begin a new region. Alt takes away. Ctrl and the wheel
-/// change the radius.
+/// Paints a region with a round brush. A stroke that begins on a region of the same refinement, or while such a region
+/// of the piece is selected and touched, adds to it; other strokes begin a new region. Alt takes away. Ctrl and the
+/// wheel change the radius.
 class PaintBrush : public Tool {
 public:
     explicit PaintBrush(PaintOptions& options) : options_(options) {}

@@ -39,16 +39,12 @@ Effect PolygonTool::doubleClick(const Desk& desk, const PointerEvent&) {
 
 Effect PolygonTool::key(const Desk& desk, ToolKey key) {
     switch (key) {
-    case ToolKey::enter:
-        return finish(desk);
+    case ToolKey::enter: return finish(desk);
     case ToolKey::backspace:
         if (!corners_.empty()) corners_.pop_back();
         return {};
-    case ToolKey::escape:
-        cancel();
-        return {};
-    case ToolKey::erase:
-        return corners_.empty() ? deleteSelection(desk) : Effect{};
+    case ToolKey::escape: cancel(); return {};
+    case ToolKey::erase: return corners_.empty() ? deleteSelection(desk) : Effect{};
     }
     return {};
 }

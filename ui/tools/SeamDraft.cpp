@@ -100,16 +100,14 @@ std::vector<SeamPart> chainOf(const Desk& desk, const std::vector<EdgeHit>& pick
         if (i == 1) { // the first edge ends where it meets the second
             const SeamPart& second = part;
             const auto meetsSecond = [&](const End& end) {
-                return meet(desk, end, firstEnd(desk.flat, second)) ||
-                       meet(desk, end, lastEnd(desk.flat, second));
+                return meet(desk, end, firstEnd(desk.flat, second)) || meet(desk, end, lastEnd(desk.flat, second));
             };
             if (!meetsSecond(lastEnd(desk.flat, chain[0])) && meetsSecond(firstEnd(desk.flat, chain[0])))
                 chain[0] = turned(chain[0]);
         }
         if (i > 0) {
             const End before = lastEnd(desk.flat, chain.back());
-            if (!meet(desk, before, firstEnd(desk.flat, part)) &&
-                meet(desk, before, lastEnd(desk.flat, part)))
+            if (!meet(desk, before, firstEnd(desk.flat, part)) && meet(desk, before, lastEnd(desk.flat, part)))
                 part = turned(part);
         }
         chain.push_back(part);
@@ -118,13 +116,11 @@ std::vector<SeamPart> chainOf(const Desk& desk, const std::vector<EdgeHit>& pick
 }
 
 Result<document::Document> withSeam(const document::Document& document, const SeamSides& sides) {
-    return document::edited(document, [&](const Pattern& pattern, IdSource& ids) {
-        return pattern::addSeam(pattern, sides, {}, ids);
-    });
+    return document::edited(
+        document, [&](const Pattern& pattern, IdSource& ids) { return pattern::addSeam(pattern, sides, {}, ids); });
 }
 
-Result<document::Document> withSeam(const Desk& desk, const std::vector<EdgeHit>& a,
-                                    const std::vector<EdgeHit>& b) {
+Result<document::Document> withSeam(const Desk& desk, const std::vector<EdgeHit>& a, const std::vector<EdgeHit>& b) {
     if (a.size() == 1 && b.size() == 1 && (saysNothing(a) || saysNothing(b)))
         return document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
             return pattern::addSeam(pattern, wholeEdge(a[0]), wholeEdge(b[0]), ids);
@@ -144,8 +140,7 @@ Effect sewn(const Desk& desk, Result<document::Document> withSeam) {
     return effect;
 }
 
-void addSide(Overlay& overlay, const FlatPattern& flat, const std::vector<SeamPart>& side,
-             Overlay::Role role) {
+void addSide(Overlay& overlay, const FlatPattern& flat, const std::vector<SeamPart>& side, Overlay::Role role) {
     const auto paths = pathsOf(flat, side);
     if (paths.empty()) return;
     for (const auto& path : paths) {
@@ -175,8 +170,7 @@ void addSeam(Overlay& overlay, const FlatPattern& flat, const SeamSides& sides, 
 QString lengthsText(const FlatPattern& flat, const SeamSides& sides) {
     const double a = lengthOf(pathsOf(flat, sides[0])), b = lengthOf(pathsOf(flat, sides[1]));
     return tr("%1 to %2, difference %3")
-        .arg(textOf(Quantity::length, a), textOf(Quantity::length, b),
-             differenceTextOf(Quantity::length, a - b));
+        .arg(textOf(Quantity::length, a), textOf(Quantity::length, b), differenceTextOf(Quantity::length, a - b));
 }
 
 } // namespace toile::ui

@@ -32,8 +32,7 @@ using SeamSides = std::array<std::vector<pattern::SeamPart>, 2>;
 [[nodiscard]] Effect sewn(const Desk& desk, Result<document::Document> withSeam);
 
 /// Draws one side: the way, a dot where it begins, arrows along it.
-void addSide(Overlay& overlay, const FlatPattern& flat, const std::vector<pattern::SeamPart>& side,
-             Overlay::Role role);
+void addSide(Overlay& overlay, const FlatPattern& flat, const std::vector<pattern::SeamPart>& side, Overlay::Role role);
 /// Both sides of a seam that may come to be, with links between the points that meet, and lengths.
 void addSeam(Overlay& overlay, const FlatPattern& flat, const SeamSides& sides, Vec2 labelAt);
 /// "250.0 mm to 252.0 mm, difference −2.0 mm"

@@ -33,10 +33,8 @@ Effect SewSegments::press(const Desk& desk, const PointerEvent& event) {
     if (!under_) return refusal(tr("There is no edge here."));
     if (const Seam* seam = seamOver(desk.document.pattern, wholeEdge(*under_))) {
         if (!picks_[0].empty() || seam->id != made_)
-            return refusal(
-                tr("This edge is sewn already, by the seam “%1”.").arg(QString::fromStdString(seam->name)));
-        return effectOf(tr("Reverse seam"),
-                        document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
+            return refusal(tr("This edge is sewn already, by the seam “%1”.").arg(QString::fromStdString(seam->name)));
+        return effectOf(tr("Reverse seam"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
                             return reverseSeam(pattern, seam->id);
                         }));
     }
@@ -68,9 +66,8 @@ Effect SewSegments::endSide(const Desk& desk) {
 }
 
 bool SewSegments::isPicked(const EdgeRef& edge) const {
-    return std::ranges::any_of(picks_, [&](const auto& side) {
-        return std::ranges::find(side, edge, &EdgeHit::edge) != side.end();
-    });
+    return std::ranges::any_of(
+        picks_, [&](const auto& side) { return std::ranges::find(side, edge, &EdgeHit::edge) != side.end(); });
 }
 
 Effect SewSegments::move(const Desk& desk, const PointerEvent& event) {
@@ -80,17 +77,12 @@ Effect SewSegments::move(const Desk& desk, const PointerEvent& event) {
 
 Effect SewSegments::key(const Desk& desk, ToolKey key) {
     switch (key) {
-    case ToolKey::enter:
-        return endSide(desk);
-    case ToolKey::escape:
-        cancel();
-        return {};
+    case ToolKey::enter: return endSide(desk);
+    case ToolKey::escape: cancel(); return {};
     case ToolKey::erase:
         if (picks_[0].empty()) return deleteSelection(desk);
         [[fallthrough]];
-    case ToolKey::backspace:
-        takeBack();
-        return {};
+    case ToolKey::backspace: takeBack(); return {};
     }
     return {};
 }
@@ -132,11 +124,9 @@ QString SewSegments::hint() const {
         return tr("Click side two near the end that meets the dot; Shift-click if more edges follow. "
                   "Backspace takes back.");
     if (!picks_[0].empty())
-        return tr(
-            "Shift-click further edges of side one; click the last one or press Enter to go on to side two.");
+        return tr("Shift-click further edges of side one; click the last one or press Enter to go on to side two.");
     if (!made_.empty())
-        return tr(
-            "Click side one near the end where the seam begins; click the seam just made to reverse it.");
+        return tr("Click side one near the end where the seam begins; click the seam just made to reverse it.");
     return tr("Click side one near the end where the seam begins; Shift-click if more edges follow.");
 }
 

@@ -31,7 +31,7 @@ struct Effect {
     std::optional<Edit> edit;
     bool endsMerge = false; ///< a drag has ended: the next edit is a step of its own
     std::optional<Selection> selection;
-    QString message; ///< for the status line
+    QString message;      ///< for the status line
     bool refused = false; ///< the message says why something was not done
 };
 

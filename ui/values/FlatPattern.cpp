@@ -64,7 +64,9 @@ const Contour& FlatPiece::contour(std::size_t loop) const {
     return loop == 0 ? piece.outline : piece.holes[loop - 1];
 }
 
-const FlatContour& FlatPiece::flat(std::size_t loop) const { return loop == 0 ? outline : holes[loop - 1]; }
+const FlatContour& FlatPiece::flat(std::size_t loop) const {
+    return loop == 0 ? outline : holes[loop - 1];
+}
 
 FlatPattern flattened(const Pattern& pattern) {
     FlatPattern flat;
@@ -82,7 +84,9 @@ const FlatPiece* findPiece(const FlatPattern& pattern, const PieceId& id) {
     return found == pattern.pieces.end() ? nullptr : &*found;
 }
 
-geometry::Box2 boundsOf(const FlatPiece& piece) { return geometry::boundsOf(piece.outline.polygon); }
+geometry::Box2 boundsOf(const FlatPiece& piece) {
+    return geometry::boundsOf(piece.outline.polygon);
+}
 
 geometry::Box2 boundsOf(const FlatPattern& pattern) {
     std::vector<Vec2> corners;

@@ -11,7 +11,7 @@ namespace toile::ui {
 /// A place on an edge of a contour.
 struct EdgeHit {
     EdgeRef edge;
-    Vec2 point;          ///< of the edge, nearest to the pointer [m]
+    Vec2 point;           ///< of the edge, nearest to the pointer [m]
     double parameter = 0; ///< of the edge's curve in the resolved piece
     double fraction = 0;  ///< of its arc length, along the source's edge where the piece is a mirror
     double distance = 0;  ///< from the pointer [m]
@@ -31,8 +31,8 @@ struct HandleRef {
 [[nodiscard]] std::optional<pattern::PieceId> pieceAt(const FlatPattern& pattern, Vec2 point);
 /// The smallest region that covers the point.
 [[nodiscard]] std::optional<RegionRef> regionAt(const FlatPattern& pattern, Vec2 point);
-[[nodiscard]] std::optional<pattern::SeamId> seamAt(const pattern::Pattern& document, const FlatPattern& flat, Vec2 point,
-                                                    double tolerance);
+[[nodiscard]] std::optional<pattern::SeamId> seamAt(const pattern::Pattern& document, const FlatPattern& flat,
+                                                    Vec2 point, double tolerance);
 
 [[nodiscard]] std::optional<Vec2> positionOf(const FlatPattern& pattern, const VertexRef& vertex);
 [[nodiscard]] std::optional<Vec2> positionOf(const FlatPattern& pattern, const HandleRef& handle);

@@ -14,7 +14,7 @@ struct Modifiers {
 
 /// What the pointer does, in the words of the pattern: no widget, no pixels.
 struct PointerEvent {
-    Vec2 position;           ///< in the plane of the pattern [m]
+    Vec2 position;                ///< in the plane of the pattern [m]
     Button button = Button::none; ///< the one that went down or up; while moving, the one held
     Modifiers modifiers;
     double tolerance = 1e-3; ///< what counts as touching [m]: a few pixels at the present zoom

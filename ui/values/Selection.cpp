@@ -28,14 +28,14 @@ struct Exists {
     bool operator()(const VertexRef& ref) const {
         const Piece* piece = ownerOfContour(pattern, ref.piece);
         return piece && anyContour(*piece, [&](const Contour& contour) {
-            return std::ranges::find(contour.vertices, ref.vertex, &Vertex::id) != contour.vertices.end();
-        });
+                   return std::ranges::find(contour.vertices, ref.vertex, &Vertex::id) != contour.vertices.end();
+               });
     }
     bool operator()(const EdgeRef& ref) const {
         const Piece* piece = ownerOfContour(pattern, ref.piece);
         return piece && anyContour(*piece, [&](const Contour& contour) {
-            return std::ranges::find(contour.edges, ref.edge, &Edge::id) != contour.edges.end();
-        });
+                   return std::ranges::find(contour.edges, ref.edge, &Edge::id) != contour.edges.end();
+               });
     }
     bool operator()(const RegionRef& ref) const {
         const Piece* piece = ownerOfContour(pattern, ref.piece);
@@ -51,7 +51,9 @@ struct OwnerPiece {
     PieceId operator()(const EdgeRef& ref) const { return ref.piece; }
     PieceId operator()(const RegionRef& ref) const { return ref.piece; }
     template <class Other>
-    PieceId operator()(const Other&) const { return {}; }
+    PieceId operator()(const Other&) const {
+        return {};
+    }
 };
 
 } // namespace
@@ -74,6 +76,8 @@ Selection existing(const Selection& selection, const Pattern& pattern) {
     return kept;
 }
 
-PieceId pieceOf(const Item& item) { return std::visit(OwnerPiece{}, item); }
+PieceId pieceOf(const Item& item) {
+    return std::visit(OwnerPiece{}, item);
+}
 
 } // namespace toile::ui

@@ -11,8 +11,8 @@ namespace toile::ui {
 
 /// Where the plane of the pattern lies on the screen. The pattern's y points up, the screen's down.
 struct ViewTransform {
-    Vec2 centre;          ///< the point of the pattern in the middle of the view [m]
-    double scale = 1000;  ///< [pixel/m]
+    Vec2 centre;           ///< the point of the pattern in the middle of the view [m]
+    double scale = 1000;   ///< [pixel/m]
     QSizeF size{100, 100}; ///< of the view [pixel]
 
     [[nodiscard]] QPointF toScreen(Vec2 point) const;

@@ -26,15 +26,12 @@ CameraMotion motionFor(CameraHabits habits, const PointerPress& press) {
     return CameraMotion::none;
 }
 
-picture::Camera moved(const picture::Camera& camera, picture::Viewport viewport, CameraMotion motion,
-                      Vec2 from, Vec2 to) {
+picture::Camera moved(const picture::Camera& camera, picture::Viewport viewport, CameraMotion motion, Vec2 from,
+                      Vec2 to) {
     switch (motion) {
-    case CameraMotion::none:
-        return camera;
-    case CameraMotion::orbit:
-        return orbited(camera, viewport, to - from);
-    case CameraMotion::pan:
-        return panned(camera, viewport, from, to);
+    case CameraMotion::none: return camera;
+    case CameraMotion::orbit: return orbited(camera, viewport, to - from);
+    case CameraMotion::pan: return panned(camera, viewport, from, to);
     case CameraMotion::zoom: {
         const Vec2 middle{viewport.width / 2.0, viewport.height / 2.0};
         return wheeled(camera, viewport, middle, (from.y - to.y) * notchesPerPixel);
@@ -43,8 +40,7 @@ picture::Camera moved(const picture::Camera& camera, picture::Viewport viewport,
     return camera;
 }
 
-picture::Camera wheeled(const picture::Camera& camera, picture::Viewport viewport, Vec2 pixel,
-                        double notches) {
+picture::Camera wheeled(const picture::Camera& camera, picture::Viewport viewport, Vec2 pixel, double notches) {
     return zoomedTo(camera, viewport, pixel, std::pow(distancePerNotch, notches));
 }
 

@@ -24,8 +24,8 @@ struct PointerPress {
 [[nodiscard]] CameraMotion motionFor(CameraHabits habits, const PointerPress& press);
 
 /// The camera after the pointer moved from one pixel position to another.
-[[nodiscard]] picture::Camera moved(const picture::Camera& camera, picture::Viewport viewport,
-                                    CameraMotion motion, Vec2 from, Vec2 to);
+[[nodiscard]] picture::Camera moved(const picture::Camera& camera, picture::Viewport viewport, CameraMotion motion,
+                                    Vec2 from, Vec2 to);
 /// The camera after the wheel turned away from the user by so many notches: nearer to what is under the
 /// pointer.
 [[nodiscard]] picture::Camera wheeled(const picture::Camera& camera, picture::Viewport viewport, Vec2 pixel,

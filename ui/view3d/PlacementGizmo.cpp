@@ -24,9 +24,8 @@ constexpr double edgeOn = 0.2;        // rings whose axis is farther from it tha
 constexpr int ringCorners = 72;
 constexpr std::array handles{GizmoHandle::moveX, GizmoHandle::moveY, GizmoHandle::moveZ,
                              GizmoHandle::turnX, GizmoHandle::turnY, GizmoHandle::turnZ};
-constexpr std::array drawingOrder{GizmoHandle::turnX, GizmoHandle::turnY,
-                                  GizmoHandle::turnZ, GizmoHandle::moveX,
-                                  GizmoHandle::moveY, GizmoHandle::moveZ}; // arrows on top
+constexpr std::array drawingOrder{GizmoHandle::turnX, GizmoHandle::turnY, GizmoHandle::turnZ,
+                                  GizmoHandle::moveX, GizmoHandle::moveY, GizmoHandle::moveZ}; // arrows on top
 
 bool turns(GizmoHandle handle) {
     return handle >= GizmoHandle::turnX;
@@ -74,8 +73,7 @@ bool isOffered(GizmoHandle handle, const GizmoView& view, const Vec3& pivot) {
 std::vector<Vec3> outlineOf(GizmoHandle handle, const GizmoView& view, const Vec3& pivot) {
     const double pixel = pixelSize(view.camera, view.viewport, pivot);
     if (!turns(handle))
-        return {pivot + axisOf(handle) * (0.18 * arrowLength * pixel),
-                pivot + axisOf(handle) * (arrowLength * pixel)};
+        return {pivot + axisOf(handle) * (0.18 * arrowLength * pixel), pivot + axisOf(handle) * (arrowLength * pixel)};
     std::vector<Vec3> ring;
     for (int i = 0; i <= ringCorners; ++i)
         ring.push_back(ringPoint(handle, pivot, ringRadius * pixel, 2 * std::numbers::pi * i / ringCorners));
@@ -110,26 +108,24 @@ double inSteps(double amount, double step) {
 }
 
 Colour colourOf(GizmoHandle handle, bool lit) {
-    constexpr std::array<Colour, 3> axes{
-        {{0.86f, 0.24f, 0.22f}, {0.30f, 0.66f, 0.24f}, {0.20f, 0.42f, 0.88f}}};
+    constexpr std::array<Colour, 3> axes{{{0.86f, 0.24f, 0.22f}, {0.30f, 0.66f, 0.24f}, {0.20f, 0.42f, 0.88f}}};
     return lit ? Colour{1.0f, 0.78f, 0.16f} : axes[static_cast<std::size_t>(axisIndex(handle))];
 }
 
 /// Shaft and the four edges of an arrow's head.
-void addArrow(std::vector<Stroke>& strokes, GizmoHandle handle, const GizmoView& view, const Vec3& pivot,
-              Colour colour, double width) {
+void addArrow(std::vector<Stroke>& strokes, GizmoHandle handle, const GizmoView& view, const Vec3& pivot, Colour colour,
+              double width) {
     const std::vector<Vec3> shaft = outlineOf(handle, view, pivot);
     const double head = arrowHead * pixelSize(view.camera, view.viewport, pivot);
     const auto [first, second] = across(handle);
     strokes.push_back({shaft, colour, width});
     for (const Vec3& side : {first, -first, second, -second})
-        strokes.push_back(
-            {{shaft[1] - axisOf(handle) * head + side * (0.38 * head), shaft[1]}, colour, width + 1});
+        strokes.push_back({{shaft[1] - axisOf(handle) * head + side * (0.38 * head), shaft[1]}, colour, width + 1});
 }
 
 /// The half of the ring behind the pivot is fainter.
-void addRing(std::vector<Stroke>& strokes, GizmoHandle handle, const GizmoView& view, const Vec3& pivot,
-             Colour colour, double width) {
+void addRing(std::vector<Stroke>& strokes, GizmoHandle handle, const GizmoView& view, const Vec3& pivot, Colour colour,
+             double width) {
     const std::vector<Vec3> ring = outlineOf(handle, view, pivot);
     const Vec3 away = sight(view, pivot);
     const bool faceOn = std::abs(dot(axisOf(handle), away)) > 0.98;
@@ -177,8 +173,7 @@ GizmoHandle PlacementGizmo::handleAt(const GizmoView& view, Vec2 pixel) const {
     // A ring seen edge-on covers an arrow's shaft: there the arrow is meant.
     const auto [arrow, fromArrow] = nearest(false);
     const auto [ring, fromRing] = nearest(true);
-    const bool ringIsMeant =
-        ring != GizmoHandle::none && (arrow == GizmoHandle::none || fromRing < fromArrow - 2);
+    const bool ringIsMeant = ring != GizmoHandle::none && (arrow == GizmoHandle::none || fromRing < fromArrow - 2);
     return ringIsMeant ? ring : arrow;
 }
 
@@ -198,8 +193,7 @@ bool PlacementGizmo::press(const GizmoView& view, Vec2 pixel) {
     if (turns(held_) && std::abs(dot(axisOf(held_), sight(view, pivot_))) < edgeOn) {
         // The front of an edge-on ring runs across the line of sight: turn as much as that point moves along
         // its line.
-        const double pixelLength = pixelSize(view.camera, view.viewport, pivot_),
-                     radius = ringRadius * pixelLength;
+        const double pixelLength = pixelSize(view.camera, view.viewport, pivot_), radius = ringRadius * pixelLength;
         const Vec3 front = pivot_ - sight(view, pivot_) * radius;
         const Vec3 forward = cross(axisOf(held_), front - pivot_) * 0.01;
         const auto from = worldToScreen(view.camera, view.viewport, front);
@@ -220,8 +214,7 @@ double PlacementGizmo::amountAt(const GizmoView& view, Vec2 pixel) const {
     if (turnPerPixel_ != Vec2{}) return dot(pixel - grabbedPixel_, turnPerPixel_);
     const double towards = dot(ray.direction, axis);
     if (std::abs(towards) < 1e-6) return grabbedAt_ + lastTurn_;
-    const Vec3 hit =
-        ray.origin + ray.direction * (dot(pivotBefore_ - ray.origin, axis) / towards) - pivotBefore_;
+    const Vec3 hit = ray.origin + ray.direction * (dot(pivotBefore_ - ray.origin, axis) / towards) - pivotBefore_;
     const auto [first, second] = across(held_);
     return std::atan2(dot(hit, second), dot(hit, first));
 }
@@ -231,8 +224,7 @@ const Transform& PlacementGizmo::drag(const GizmoView& view, Vec2 pixel, bool st
     double amount = amountAt(view, pixel) - grabbedAt_;
     if (!std::isfinite(amount)) return placement_;
     if (turns(held_)) {
-        if (turnPerPixel_ == Vec2{})
-            amount = lastTurn_ + std::remainder(amount - lastTurn_, 2 * std::numbers::pi);
+        if (turnPerPixel_ == Vec2{}) amount = lastTurn_ + std::remainder(amount - lastTurn_, 2 * std::numbers::pi);
         lastTurn_ = amount;
     }
     apply(steps ? inSteps(amount, turns(held_) ? turnStep : moveStep) : amount);

@@ -27,19 +27,15 @@ public:
         picture_ = {};
         update();
     }
-    [[nodiscard]] QString deviceName() const {
-        return gl_ ? QString::fromStdString(gl_->deviceName()) : QString();
-    }
+    [[nodiscard]] QString deviceName() const { return gl_ ? QString::fromStdString(gl_->deviceName()) : QString(); }
 
 protected:
     void paintEvent(QPaintEvent*) override {
         const QSize size = this->size() * devicePixelRatioF();
         if (picture_.size() != size) draw(size);
         QPainter painter(this);
-        if (picture_.isNull())
-            painter.fillRect(rect(), palette().mid());
-        else
-            painter.drawImage(rect(), picture_);
+        if (picture_.isNull()) painter.fillRect(rect(), palette().mid());
+        else painter.drawImage(rect(), picture_);
     }
 
 private:
@@ -51,8 +47,7 @@ private:
             gl_.emplace(std::move(*gl));
         }
         const Shown now = shown_();
-        const auto image =
-            gl_->render(now.scene, now.camera, {size.width(), size.height()}, devicePixelRatioF());
+        const auto image = gl_->render(now.scene, now.camera, {size.width(), size.height()}, devicePixelRatioF());
         if (!image) return fail(image.error());
         picture_ = QImage(image->rgba.data(), image->width, image->height, QImage::Format_RGBA8888)
                        .convertToFormat(QImage::Format_RGB32); // copies

@@ -35,8 +35,8 @@ public:
 };
 
 /// A QOpenGLWidget; only where the gate allows it. The parent owns the widget.
-[[nodiscard]] std::unique_ptr<SceneHost> makeWindowHost(const QSurfaceFormat& format, ShownNow shown,
-                                                        HostFailed failed, QWidget* parent);
+[[nodiscard]] std::unique_ptr<SceneHost> makeWindowHost(const QSurfaceFormat& format, ShownNow shown, HostFailed failed,
+                                                        QWidget* parent);
 /// A plain widget that shows pictures drawn without a window.
 [[nodiscard]] std::unique_ptr<SceneHost> makeRasterHost(ShownNow shown, HostFailed failed, QWidget* parent);
 /// Says in the view's place why there is no picture.

@@ -48,8 +48,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent) {
                 return Shown{scene_, camera_};
             },
             [this](const QString&) { showRaster(); }, this));
-    else
-        showRaster();
+    else showRaster();
 }
 
 View3D::~View3D() = default;
@@ -60,8 +59,7 @@ void View3D::showRaster() {
             return Shown{scene_, camera_};
         },
         [this](const QString& why) {
-            install(makeMessageHost(tr("The 3D view cannot be shown; everything else works.") + "\n\n" + why,
-                                    this));
+            install(makeMessageHost(tr("The 3D view cannot be shown; everything else works.") + "\n\n" + why, this));
         },
         this));
 }
@@ -231,10 +229,8 @@ void View3D::wheelEvent(QWheelEvent* event) {
 }
 
 void View3D::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape && gizmo_ && gizmo_->isDragging())
-        finishDrag(false);
-    else
-        QWidget::keyPressEvent(event);
+    if (event->key() == Qt::Key_Escape && gizmo_ && gizmo_->isDragging()) finishDrag(false);
+    else QWidget::keyPressEvent(event);
 }
 
 void View3D::leaveEvent(QEvent* event) {
@@ -246,10 +242,8 @@ void View3D::leaveEvent(QEvent* event) {
 }
 
 void View3D::finishDrag(bool keep) {
-    if (keep)
-        gizmo_->release();
-    else
-        gizmo_->cancel();
+    if (keep) gizmo_->release();
+    else gizmo_->cancel();
     changed();
     Q_EMIT placementDragged(scene_.selectedPiece, gizmo_->placement(), true);
 }

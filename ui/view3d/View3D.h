@@ -66,8 +66,7 @@ Q_SIGNALS:
     void pieceClicked(const std::string& pieceId);
     /// While the gizmo is dragged, and once more, finished, at its end; after a cancelled drag (Escape) with
     /// the placement from before it.
-    void placementDragged(const std::string& pieceId, const toile::geometry::Transform& placement,
-                          bool finished);
+    void placementDragged(const std::string& pieceId, const toile::geometry::Transform& placement, bool finished);
 
 protected:
     void mousePressEvent(QMouseEvent* event) override;

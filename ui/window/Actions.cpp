@@ -16,15 +16,15 @@ const QString settingsGroup = QStringLiteral("shortcuts/");
 void showTip(QAction& action) {
     const QKeySequence shortcut = action.shortcut();
     const QString text = action.data().toString();
-    action.setToolTip(shortcut.isEmpty()
-                          ? text
-                          : QStringLiteral("%1 (%2)").arg(text, shortcut.toString(QKeySequence::NativeText)));
+    action.setToolTip(
+        shortcut.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, shortcut.toString(QKeySequence::NativeText)));
 }
 
 } // namespace
 
 QString plainText(const QString& actionText) {
-    static const QRegularExpression mnemonic(QStringLiteral("\\(&.\\)|&|…")); // Chinese has it in brackets, behind the word
+    static const QRegularExpression mnemonic(
+        QStringLiteral("\\(&.\\)|&|…")); // Chinese has it in brackets, behind the word
     return QString(actionText).remove(mnemonic);
 }
 
@@ -34,8 +34,7 @@ void Actions::add(QWidget& window, const std::vector<ActionSpec>& table) {
         auto* action = new QAction(spec.text, &window);
         action->setObjectName(spec.id);
         defaults_.insert(spec.id, spec.shortcut);
-        action->setShortcut(
-            QKeySequence(settings.value(settingsGroup + spec.id, spec.shortcut.toString()).toString()));
+        action->setShortcut(QKeySequence(settings.value(settingsGroup + spec.id, spec.shortcut.toString()).toString()));
         action->setData(spec.tip.isEmpty() ? plainText(spec.text) : spec.tip);
         showTip(*action);
         if (!spec.shortText.isEmpty()) action->setIconText(spec.shortText);
@@ -53,10 +52,8 @@ void Actions::setShortcut(const QString& id, const QKeySequence& shortcut) {
     action.setShortcut(shortcut);
     showTip(action);
     QSettings settings;
-    if (shortcut == defaultShortcut(id))
-        settings.remove(settingsGroup + id);
-    else
-        settings.setValue(settingsGroup + id, shortcut.toString());
+    if (shortcut == defaultShortcut(id)) settings.remove(settingsGroup + id);
+    else settings.setValue(settingsGroup + id, shortcut.toString());
 }
 
 QAction* Actions::operator[](const QString& id) const {

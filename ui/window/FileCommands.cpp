@@ -47,10 +47,13 @@ bool FileCommands::openFile(const QString& path) {
     return true;
 }
 
-bool FileCommands::save() { return workbench_.path().isEmpty() ? saveAs() : saveTo(workbench_.path()); }
+bool FileCommands::save() {
+    return workbench_.path().isEmpty() ? saveAs() : saveTo(workbench_.path());
+}
 
 bool FileCommands::saveAs() {
-    QFileDialog dialog(&window_, tr("Save as"), QFileInfo(workbench_.path()).absolutePath(), tr("Toile documents (*.toile)"));
+    QFileDialog dialog(&window_, tr("Save as"), QFileInfo(workbench_.path()).absolutePath(),
+                       tr("Toile documents (*.toile)"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(QStringLiteral("toile"));
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return false;
@@ -68,9 +71,11 @@ bool FileCommands::saveTo(const QString& path) {
 }
 
 void FileCommands::exportDrape() {
-    if (!workbench_.frame() || !writeDrape_) return workbench_.tell(tr("There is no drape to export yet: simulate first."), true);
-    const QString path = QFileDialog::getSaveFileName(&window_, tr("Export drape"), QFileInfo(workbench_.path()).absolutePath(),
-                                                      tr("glTF binary (*.glb);;Wavefront OBJ (*.obj);;PLY (*.ply);;STL (*.stl)"));
+    if (!workbench_.frame() || !writeDrape_)
+        return workbench_.tell(tr("There is no drape to export yet: simulate first."), true);
+    const QString path =
+        QFileDialog::getSaveFileName(&window_, tr("Export drape"), QFileInfo(workbench_.path()).absolutePath(),
+                                     tr("glTF binary (*.glb);;Wavefront OBJ (*.obj);;PLY (*.ply);;STL (*.stl)"));
     if (path.isEmpty()) return;
     const QString file = withEnding(path, QStringLiteral(".glb"));
     if (auto written = writeDrape_(file.toStdString(), *workbench_.frame()); !written)
@@ -79,8 +84,9 @@ void FileCommands::exportDrape() {
 }
 
 void FileCommands::importAvatar() {
-    const QString path = QFileDialog::getOpenFileName(&window_, tr("Import avatar"), QFileInfo(workbench_.path()).absolutePath(),
-                                                      tr("Bodies (*.glb *.gltf *.obj *.stl *.ply *.dae *.fbx);;All files (*)"));
+    const QString path =
+        QFileDialog::getOpenFileName(&window_, tr("Import avatar"), QFileInfo(workbench_.path()).absolutePath(),
+                                     tr("Bodies (*.glb *.gltf *.obj *.stl *.ply *.dae *.fbx);;All files (*)"));
     if (!path.isEmpty()) workbench_.importAvatar(path);
 }
 
@@ -93,14 +99,15 @@ void FileCommands::useMannequin() {
 
 void FileCommands::openSample(const QString& path) {
     if (!mayDiscard()) return;
-    if (auto opened = workbench_.openCopy(path); !opened) return complain(tr("The sample cannot be opened"), opened.error());
+    if (auto opened = workbench_.openCopy(path); !opened)
+        return complain(tr("The sample cannot be opened"), opened.error());
     workbench_.tell(tr("Opened the sample %1").arg(QFileInfo(path).completeBaseName()));
 }
 
 bool FileCommands::mayDiscard() {
     if (!workbench_.isModified()) return true;
-    QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
-                    tr("The pattern has changes that are not saved."), QMessageBox::NoButton, &window_);
+    QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"), tr("The pattern has changes that are not saved."),
+                    QMessageBox::NoButton, &window_);
     box.setObjectName(QStringLiteral("unsavedChanges"));
     box.setInformativeText(tr("Save them before going on?"));
     box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
@@ -118,7 +125,8 @@ bool FileCommands::offerRecovery() {
     Journal* journal = workbench_.journal();
     if (!journal) return false;
     for (const Journal::Leftover& leftover : journal->leftovers()) {
-        const QString name = leftover.path.isEmpty() ? tr("a pattern that was never saved") : QFileInfo(leftover.path).fileName();
+        const QString name =
+            leftover.path.isEmpty() ? tr("a pattern that was never saved") : QFileInfo(leftover.path).fileName();
         QMessageBox box(QMessageBox::Question, tr("Recover unsaved work"),
                         tr("Toile ended without saving %1.").arg(name), QMessageBox::NoButton, &window_);
         box.setObjectName(QStringLiteral("recoverWork"));

@@ -80,21 +80,30 @@ void MainWindow::makeViews() {
 }
 
 void MainWindow::makeActions() {
-    for (const auto& table : {fileActions(), editActions(), viewActions(), simulationActions(), habitActions(), toolActions()})
+    for (const auto& table :
+         {fileActions(), editActions(), viewActions(), simulationActions(), habitActions(), toolActions()})
         actions_.add(*this, table);
     auto* tools = new QActionGroup(this);
     for (const ToolBox::Entry& entry : tools_.entries()) tools->addAction(actions_[entry.id]);
     auto* habits = new QActionGroup(this);
-    for (const char* id : {"habits.clo", "habits.blender", "habits.maya"}) habits->addAction(actions_[QLatin1String(id)]);
+    for (const char* id : {"habits.clo", "habits.blender", "habits.maya"})
+        habits->addAction(actions_[QLatin1String(id)]);
     const QString habit = QSettings().value(cameraHabitsKey).toString();
     for (QAction* action : habits->actions())
-        if (action->objectName() == habit || (habit.isEmpty() && action == habits->actions().front())) action->trigger();
+        if (action->objectName() == habit || (habit.isEmpty() && action == habits->actions().front()))
+            action->trigger();
     const PatternLook look = pattern_->look();
     const picture::RenderOptions render = view3D_->scene().options;
-    for (const auto& [id, on] : std::initializer_list<std::pair<const char*, bool>>{
-             {"look.mesh", look.mesh}, {"look.regions", look.regions}, {"look.seams", look.seams},
-             {"look.names", look.names}, {"look.grid", look.grid}, {"look3d.body", render.body},
-             {"look3d.meshLines", render.meshLines}, {"look3d.seams", render.seams}, {"look3d.regions", render.regions}})
+    for (const auto& [id, on] :
+         std::initializer_list<std::pair<const char*, bool>>{{"look.mesh", look.mesh},
+                                                             {"look.regions", look.regions},
+                                                             {"look.seams", look.seams},
+                                                             {"look.names", look.names},
+                                                             {"look.grid", look.grid},
+                                                             {"look3d.body", render.body},
+                                                             {"look3d.meshLines", render.meshLines},
+                                                             {"look3d.seams", render.seams},
+                                                             {"look3d.regions", render.regions}})
         actions_[QLatin1String(id)]->setChecked(on);
 }
 
@@ -114,13 +123,33 @@ void MainWindow::makeMenus() {
     connect(samples, &QMenu::aboutToShow, this, [this, samples] { files_->fillSamples(*samples); });
     actions_.fill(*file, {"-", "file.save", "file.saveAs", "file.exportDrape", "-", "file.quit"});
     QMenu* edit = menu(tr("&Edit"), {"edit.undo", "edit.redo", "-", "edit.delete", "edit.layOut"});
-    actions_.fill(*edit->addMenu(tr("&Place selected pieces")), {"place.front", "place.back", "place.left", "place.right"});
+    actions_.fill(*edit->addMenu(tr("&Place selected pieces")),
+                  {"place.front", "place.back", "place.left", "place.right"});
     makeFabricMenu(*edit->addMenu(tr("Add &fabric")));
     actions_.fill(*edit, {"-", "edit.shortcuts"});
     menu(tr("&Tools"), tools);
-    QMenu* view = menu(tr("&View"), {"view.fitAll", "view.fitSelection", "view.zoomIn", "view.zoomOut", "-", "view.front", "view.back",
-                       "view.left", "view.right", "view.top", "-", "look.mesh", "look.regions", "look.seams", "look.names",
-                       "look.grid", "-", "look3d.body", "look3d.meshLines", "look3d.seams", "look3d.regions", "-"});
+    QMenu* view = menu(tr("&View"), {"view.fitAll",
+                                     "view.fitSelection",
+                                     "view.zoomIn",
+                                     "view.zoomOut",
+                                     "-",
+                                     "view.front",
+                                     "view.back",
+                                     "view.left",
+                                     "view.right",
+                                     "view.top",
+                                     "-",
+                                     "look.mesh",
+                                     "look.regions",
+                                     "look.seams",
+                                     "look.names",
+                                     "look.grid",
+                                     "-",
+                                     "look3d.body",
+                                     "look3d.meshLines",
+                                     "look3d.seams",
+                                     "look3d.regions",
+                                     "-"});
     actions_.fill(*view->addMenu(tr("Mouse in the &3D view")), {"habits.clo", "habits.blender", "habits.maya"});
     menu(tr("&Avatar"), {"avatar.mannequin", "avatar.import", "avatar.remove"});
     menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset"});
@@ -143,17 +172,41 @@ void MainWindow::makeToolBars() {
     bar->setObjectName(QStringLiteral("toolBar"));
     bar->setMovable(false);
     bar->setIconSize({22, 22});
-    actions_.fill(*bar, {"file.new", "file.open", "file.save", "-", "edit.undo", "edit.redo", "-", "simulation.play",
-                         "simulation.step", "simulation.reset", "-", "tool.transform", "tool.editPoints", "tool.drawPiece",
-                         "tool.internalLine", "tool.notch", "tool.dart", "tool.hole", "-", "tool.paintPolygon", "tool.paintBrush", "-", "tool.sewSegments",
-                         "tool.sewFree", "tool.editSewing", "-", "look.mesh", "view.fitAll"});
+    actions_.fill(*bar, {"file.new",
+                         "file.open",
+                         "file.save",
+                         "-",
+                         "edit.undo",
+                         "edit.redo",
+                         "-",
+                         "simulation.play",
+                         "simulation.step",
+                         "simulation.reset",
+                         "-",
+                         "tool.transform",
+                         "tool.editPoints",
+                         "tool.drawPiece",
+                         "tool.internalLine",
+                         "tool.notch",
+                         "tool.dart",
+                         "tool.hole",
+                         "-",
+                         "tool.paintPolygon",
+                         "tool.paintBrush",
+                         "-",
+                         "tool.sewSegments",
+                         "tool.sewFree",
+                         "tool.editSewing",
+                         "-",
+                         "look.mesh",
+                         "view.fitAll"});
 }
 
 void MainWindow::makeViewBar() {
     viewBar_->setObjectName(QStringLiteral("viewBar"));
     viewBar_->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    actions_.fill(*viewBar_, {"view.front", "view.left", "view.back", "view.right", "view.top", "-", "look3d.body", "look3d.meshLines",
-                              "look3d.seams", "look3d.regions"});
+    actions_.fill(*viewBar_, {"view.front", "view.left", "view.back", "view.right", "view.top", "-", "look3d.body",
+                              "look3d.meshLines", "look3d.seams", "look3d.regions"});
 }
 
 void MainWindow::connectWorkbench() {
@@ -169,7 +222,8 @@ void MainWindow::connectWorkbench() {
         showFrame();
         QAction* play = actions_["simulation.play"];
         play->setChecked(workbench_.isPlaying());
-        play->setIcon(QIcon(workbench_.isPlaying() ? QStringLiteral(":/icons/pause.svg") : QStringLiteral(":/icons/play.svg")));
+        play->setIcon(
+            QIcon(workbench_.isPlaying() ? QStringLiteral(":/icons/pause.svg") : QStringLiteral(":/icons/play.svg")));
     });
     connect(pattern_, &PatternView::pointerMoved, status_, &StatusLine::showPointer);
     connect(pattern_, &PatternView::toolMoved, this, &MainWindow::showTool);
@@ -186,7 +240,9 @@ void MainWindow::useTool(const QString& id) {
     showTool();
 }
 
-void MainWindow::showTool() { options_->show(tools_.entry(tool_)); }
+void MainWindow::showTool() {
+    options_->show(tools_.entry(tool_));
+}
 
 void MainWindow::showTitle() {
     const QString name = workbench_.path().isEmpty() ? tr("Untitled") : QFileInfo(workbench_.path()).fileName();
@@ -210,7 +266,8 @@ void MainWindow::showHistory() {
 void MainWindow::showMenu(const Selection& under, QPoint globalPosition) {
     QMenu menu(this);
     for (const Item& item : under) {
-        const PropertySheet sheet = sheetOf({workbench_.document(), workbench_.flat(), {item}}, workbench_.meshReport());
+        const PropertySheet sheet =
+            sheetOf({workbench_.document(), workbench_.flat(), {item}}, workbench_.meshReport());
         menu.addAction(tr("Select %1").arg(sheet.title.toLower()), this, [this, item] { workbench_.select({item}); });
         for (const PropertyRow& row : sheet.rows) {
             const auto* action = std::get_if<ActionRow>(&row.content);
@@ -234,7 +291,8 @@ void MainWindow::about() {
                     QMessageBox::Ok, this);
     box.setIconPixmap(QIcon(QStringLiteral(":/icons/toile.svg")).pixmap(64, 64));
     const QString device = view3D_->deviceName();
-    box.setInformativeText(parts_.aboutText + (device.isEmpty() ? QString() : QStringLiteral("\n") + tr("Graphics: %1").arg(device)));
+    box.setInformativeText(parts_.aboutText +
+                           (device.isEmpty() ? QString() : QStringLiteral("\n") + tr("Graphics: %1").arg(device)));
     box.exec();
 }
 

@@ -12,7 +12,9 @@ namespace {
 
 using namespace pattern;
 
-picture::Colour colourOf(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF(), 1}; }
+picture::Colour colourOf(const QColor& colour) {
+    return {colour.redF(), colour.greenF(), colour.blueF(), 1};
+}
 
 /// The inverse of a rigid motion.
 Transform inverse(const Transform& m) {
@@ -56,7 +58,8 @@ SceneLink::SceneLink(Workbench& workbench, View3D& view, QObject* parent)
     connect(&workbench, &Workbench::playingChanged, this, &SceneLink::showSelection);
     connect(&view, &View3D::pieceClicked, this, [this](const std::string& id) {
         workbench_.select(id.empty() ? Selection{} : Selection{PieceId(id)});
-        if (!id.empty() && gizmoWanted_ && isDraped()) workbench_.tell(tr("Reset the simulation to move pieces round the body."));
+        if (!id.empty() && gizmoWanted_ && isDraped())
+            workbench_.tell(tr("Reset the simulation to move pieces round the body."));
     });
     connect(&view, &View3D::placementDragged, this, &SceneLink::dragPlacement);
     showBody();
@@ -69,9 +72,13 @@ void SceneLink::setGizmoWanted(bool wanted) {
     showSelection();
 }
 
-bool SceneLink::isDraped() const { return workbench_.frame() && workbench_.frame()->time > 0; }
+bool SceneLink::isDraped() const {
+    return workbench_.frame() && workbench_.frame()->time > 0;
+}
 
-void SceneLink::showBody() { view_.setBody(workbench_.body()); }
+void SceneLink::showBody() {
+    view_.setBody(workbench_.body());
+}
 
 void SceneLink::showFrame() {
     if (dragging_) return;
@@ -85,7 +92,8 @@ void SceneLink::showColours() {
     const Pattern& pattern = workbench_.document().pattern;
     std::map<std::string, picture::Colour> pieces;
     for (const auto& piece : pattern.pieces) {
-        const auto fabric = std::ranges::find_if(pattern.fabrics, [&](const auto& f) { return f->id == piece->fabric; });
+        const auto fabric =
+            std::ranges::find_if(pattern.fabrics, [&](const auto& f) { return f->id == piece->fabric; });
         const auto index = fabric == pattern.fabrics.end() ? 0 : fabric - pattern.fabrics.begin();
         pieces[piece->id.value] = colourOf(clothColour(static_cast<std::size_t>(index)));
     }
@@ -113,9 +121,10 @@ void SceneLink::dragPlacement(const std::string& pieceId, const Transform& place
     if (!finished || placement == piece->placement->transform) return;
     Placement next = *piece->placement;
     next.transform = placement;
-    workbench_.take(effectOf(tr("Place piece"), document::edited(workbench_.document(), [&](const Pattern& p, IdSource&) {
-        return setPlacement(p, PieceId(pieceId), next);
-    })));
+    workbench_.take(
+        effectOf(tr("Place piece"), document::edited(workbench_.document(), [&](const Pattern& p, IdSource&) {
+                     return setPlacement(p, PieceId(pieceId), next);
+                 })));
 }
 
 } // namespace toile::ui

@@ -34,7 +34,7 @@ private:
 };
 
 /// The frame with one piece moved from where `from` places it to where `to` does.
-[[nodiscard]] simulation::Frame withPieceMoved(simulation::Frame frame, const std::string& pieceId, const Transform& from,
-                                               const Transform& to);
+[[nodiscard]] simulation::Frame withPieceMoved(simulation::Frame frame, const std::string& pieceId,
+                                               const Transform& from, const Transform& to);
 
 } // namespace toile::ui

@@ -40,8 +40,8 @@ ShortcutDialog::ShortcutDialog(Actions& actions, QWidget* parent) : QDialog(pare
     row->addWidget(keys_, 1);
     row->addWidget(none);
     row->addWidget(standard);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel |
-                                         QDialogButtonBox::RestoreDefaults);
+    auto* buttons =
+        new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(list_, 1);
     layout->addLayout(row);
@@ -50,8 +50,7 @@ ShortcutDialog::ShortcutDialog(Actions& actions, QWidget* parent) : QDialog(pare
     connect(list_, &QTreeWidget::currentItemChanged, this, &ShortcutDialog::showSelected);
     connect(keys_, &QKeySequenceEdit::editingFinished, this, [this] { choose(keys_->keySequence()); });
     connect(none, &QPushButton::clicked, this, [this] { choose({}); });
-    connect(standard, &QPushButton::clicked, this,
-            [this] { choose(actions_.defaultShortcut(selectedId())); });
+    connect(standard, &QPushButton::clicked, this, [this] { choose(actions_.defaultShortcut(selectedId())); });
     connect(buttons, &QDialogButtonBox::accepted, this, &ShortcutDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &ShortcutDialog::reject);
     connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
@@ -104,8 +103,7 @@ void ShortcutDialog::restoreDefaults() {
 void ShortcutDialog::fillKeys() {
     for (int i = 0; i < list_->topLevelItemCount(); ++i) {
         QTreeWidgetItem* line = list_->topLevelItem(i);
-        line->setText(
-            1, chosen_.value(line->data(0, Qt::UserRole).toString()).toString(QKeySequence::NativeText));
+        line->setText(1, chosen_.value(line->data(0, Qt::UserRole).toString()).toString(QKeySequence::NativeText));
     }
 }
 

@@ -22,7 +22,8 @@ QLabel* field(StatusLine& line, const char* name, int width, const QString& tip)
 
 SimulationTexts textsOf(const simulation::Frame& frame) {
     return {textOf(Quantity::time, frame.time),
-            StatusLine::tr("%1 frames/s").arg(QString::number(frame.framesPerSecond, 'f', frame.framesPerSecond < 10 ? 1 : 0)),
+            StatusLine::tr("%1 frames/s")
+                .arg(QString::number(frame.framesPerSecond, 'f', frame.framesPerSecond < 10 ? 1 : 0)),
             StatusLine::tr("%1 particles").arg(frame.particles),
             StatusLine::tr("gap %1").arg(textOf(Quantity::length, frame.largestSeamGap))};
 }

@@ -19,14 +19,17 @@
 namespace toile::ui {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("ToolBox", text); }
+QString tr(const char* text) {
+    return QCoreApplication::translate("ToolBox", text);
+}
 
 } // namespace
 
 ToolBox::ToolBox() {
     const auto add = [this](const char* id, const QString& text, const char* shortcut, const char* icon,
                             std::unique_ptr<Tool> tool, Uses uses = Uses::nothing) {
-        entries_.push_back({QLatin1String(id), text, QLatin1String(shortcut), QLatin1String(icon), std::move(tool), uses});
+        entries_.push_back(
+            {QLatin1String(id), text, QLatin1String(shortcut), QLatin1String(icon), std::move(tool), uses});
     };
     add("tool.transform", tr("Move pieces"), "A", "transform", std::make_unique<MovePieces>());
     add("tool.editPoints", tr("Edit points"), "Z", "edit-points", std::make_unique<EditPoints>());
@@ -35,10 +38,10 @@ ToolBox::ToolBox() {
     add("tool.notch", tr("Notch"), "Shift+N", "notch", std::make_unique<EditNotches>());
     add("tool.dart", tr("Dart"), "Shift+T", "dart", std::make_unique<CutDart>(dart), Uses::dartOptions);
     add("tool.hole", tr("Cut hole"), "Shift+H", "hole", std::make_unique<CutHole>());
-    add("tool.paintPolygon", tr("Paint region by corners"), "Shift+R", "region-polygon", std::make_unique<PaintPolygon>(paint),
-        Uses::paintOptions);
-    add("tool.paintBrush", tr("Paint region with a brush"), "Shift+B", "region-brush", std::make_unique<PaintBrush>(paint),
-        Uses::paintOptions);
+    add("tool.paintPolygon", tr("Paint region by corners"), "Shift+R", "region-polygon",
+        std::make_unique<PaintPolygon>(paint), Uses::paintOptions);
+    add("tool.paintBrush", tr("Paint region with a brush"), "Shift+B", "region-brush",
+        std::make_unique<PaintBrush>(paint), Uses::paintOptions);
     add("tool.sewSegments", tr("Sew edges"), "N", "sew-segments", std::make_unique<SewSegments>());
     add("tool.sewFree", tr("Sew parts of edges"), "M", "sew-free", std::make_unique<SewFree>());
     add("tool.editSewing", tr("Edit sewing"), "B", "sew-edit", std::make_unique<EditSewing>());

@@ -58,8 +58,7 @@ ToolOptions::ToolOptions(ToolBox& tools, QWidget* parent) : QWidget(parent), too
 QWidget* ToolOptions::makePaintPart() {
     auto* refinement = new QComboBox;
     refinement->setObjectName(QStringLiteral("paintRefinement"));
-    for (int m = 0; m <= 5; ++m)
-        refinement->addItem(m == 0 ? tr("main spacing") : tr("1/%1 of main").arg(1 << m), m);
+    for (int m = 0; m <= 5; ++m) refinement->addItem(m == 0 ? tr("main spacing") : tr("1/%1 of main").arg(1 << m), m);
     refinement->setCurrentIndex(tools_.paint.refinement);
     refinement->setToolTip(tr("Spacing of the region: ε_m/2^m"));
     connect(refinement, &QComboBox::activated, this, [this](int m) { tools_.paint.refinement = m; });

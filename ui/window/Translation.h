@@ -17,8 +17,8 @@ public:
     /// Null where there is no table for the locale.
     [[nodiscard]] static std::unique_ptr<Translation> of(const QLocale& locale);
 
-    [[nodiscard]] QString translate(const char* context, const char* sourceText,
-                                    const char* disambiguation = nullptr, int n = -1) const override;
+    [[nodiscard]] QString translate(const char* context, const char* sourceText, const char* disambiguation = nullptr,
+                                    int n = -1) const override;
     [[nodiscard]] bool isEmpty() const override { return table_.isEmpty(); }
     [[nodiscard]] const QHash<QString, QString>& table() const { return table_; }
 

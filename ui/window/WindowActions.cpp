@@ -17,7 +17,12 @@ std::vector<ActionSpec> MainWindow::fileActions() {
         {"file.open", tr("&Open…"), QKeySequence::Open, "open", false, [this] { files_->open(); }},
         {"file.save", tr("&Save"), QKeySequence::Save, "save", false, [this] { files_->save(); }},
         {"file.saveAs", tr("Save &as…"), QKeySequence(tr("Ctrl+Shift+S")), {}, false, [this] { files_->saveAs(); }},
-        {"file.exportDrape", tr("&Export drape…"), QKeySequence(tr("Ctrl+E")), {}, false, [this] { files_->exportDrape(); }},
+        {"file.exportDrape",
+         tr("&Export drape…"),
+         QKeySequence(tr("Ctrl+E")),
+         {},
+         false,
+         [this] { files_->exportDrape(); }},
         {"file.quit", tr("&Quit"), QKeySequence(tr("Ctrl+Q")), {}, false, [this] { close(); }},
         {"avatar.import", tr("&Import avatar…"), {}, "avatar", false, [this] { files_->importAvatar(); }},
         {"avatar.mannequin", tr("Toile's &mannequin"), {}, {}, false, [this] { files_->useMannequin(); }},
@@ -39,14 +44,32 @@ std::vector<ActionSpec> MainWindow::editActions() {
         {"place.right", tr("At its &right"), {}, {}, false, place(BodySide::right)},
         {"edit.undo", tr("&Undo"), QKeySequence(tr("Ctrl+Z")), "undo", false, [this] { workbench_.undo(); }},
         {"edit.redo", tr("&Redo"), QKeySequence(tr("Ctrl+Shift+Z")), "redo", false, [this] { workbench_.redo(); }},
-        {"edit.shortcuts", tr("&Keyboard shortcuts…"), {}, {}, false, [this] { ShortcutDialog(actions_, this).exec(); }},
-        {"edit.delete", tr("&Delete"), {}, {}, false, [this] { workbench_.take(tools_.entry(tool_).tool->key(workbench_.desk(), ToolKey::erase)); }},
-        {"edit.layOut", tr("&Lay out pieces"), {}, {}, false, [this] {
-             workbench_.take(effectOf(tr("Lay out pieces"), document::edited(workbench_.document(), [](const pattern::Pattern& p, pattern::IdSource&) {
-                 return Result<pattern::Pattern>(laidOut(p));
-             })));
+        {"edit.shortcuts",
+         tr("&Keyboard shortcuts…"),
+         {},
+         {},
+         false,
+         [this] { ShortcutDialog(actions_, this).exec(); }},
+        {"edit.delete",
+         tr("&Delete"),
+         {},
+         {},
+         false,
+         [this] { workbench_.take(tools_.entry(tool_).tool->key(workbench_.desk(), ToolKey::erase)); }},
+        {"edit.layOut",
+         tr("&Lay out pieces"),
+         {},
+         {},
+         false,
+         [this] {
+             workbench_.take(
+                 effectOf(tr("Lay out pieces"),
+                          document::edited(workbench_.document(), [](const pattern::Pattern& p, pattern::IdSource&) {
+                              return Result<pattern::Pattern>(laidOut(p));
+                          })));
              pattern_->fitAll();
-         }, tr("Put the pieces side by side on the table; shapes and drape stay as they are")},
+         },
+         tr("Put the pieces side by side on the table; shapes and drape stay as they are")},
     };
 }
 
@@ -66,14 +89,51 @@ std::vector<ActionSpec> MainWindow::viewActions() {
         };
     };
     return {
-        {"view.fitAll", tr("Fit &all"), QKeySequence(tr("Ctrl+9")), "fit", false, [this] { pattern_->fitAll(); view3D_->fit(); }},
-        {"view.fitSelection", tr("Fit &selection"), QKeySequence(tr("Ctrl+8")), {}, false, [this] { pattern_->fitSelection(); }},
+        {"view.fitAll", tr("Fit &all"), QKeySequence(tr("Ctrl+9")), "fit", false,
+         [this] {
+             pattern_->fitAll();
+             view3D_->fit();
+         }},
+        {"view.fitSelection",
+         tr("Fit &selection"),
+         QKeySequence(tr("Ctrl+8")),
+         {},
+         false,
+         [this] { pattern_->fitSelection(); }},
         {"view.zoomIn", tr("Zoom &in"), QKeySequence::ZoomIn, {}, false, [this] { pattern_->zoomBy(1.25); }},
         {"view.zoomOut", tr("Zoom &out"), QKeySequence::ZoomOut, {}, false, [this] { pattern_->zoomBy(0.8); }},
-        {"view.front", tr("&Front"), QKeySequence(tr("Ctrl+1")), {}, false, [this] { view3D_->viewFront(); }, {}, tr("Front")},
-        {"view.back", tr("&Back"), QKeySequence(tr("Ctrl+2")), {}, false, [this] { view3D_->viewBack(); }, {}, tr("Back")},
-        {"view.left", tr("&Left side"), QKeySequence(tr("Ctrl+3")), {}, false, [this] { view3D_->viewLeft(); }, {}, tr("Left")},
-        {"view.right", tr("&Right side"), QKeySequence(tr("Ctrl+4")), {}, false, [this] { view3D_->viewRight(); }, {}, tr("Right")},
+        {"view.front",
+         tr("&Front"),
+         QKeySequence(tr("Ctrl+1")),
+         {},
+         false,
+         [this] { view3D_->viewFront(); },
+         {},
+         tr("Front")},
+        {"view.back",
+         tr("&Back"),
+         QKeySequence(tr("Ctrl+2")),
+         {},
+         false,
+         [this] { view3D_->viewBack(); },
+         {},
+         tr("Back")},
+        {"view.left",
+         tr("&Left side"),
+         QKeySequence(tr("Ctrl+3")),
+         {},
+         false,
+         [this] { view3D_->viewLeft(); },
+         {},
+         tr("Left")},
+        {"view.right",
+         tr("&Right side"),
+         QKeySequence(tr("Ctrl+4")),
+         {},
+         false,
+         [this] { view3D_->viewRight(); },
+         {},
+         tr("Right")},
         {"view.top", tr("&Top"), QKeySequence(tr("Ctrl+5")), {}, false, [this] { view3D_->viewTop(); }, {}, tr("Top")},
         {"look.mesh", tr("&Mesh on the pattern"), QKeySequence(tr("Ctrl+M")), "mesh", true, look(&PatternLook::mesh)},
         {"look.regions", tr("&Regions on the pattern"), {}, {}, true, look(&PatternLook::regions)},
@@ -81,16 +141,38 @@ std::vector<ActionSpec> MainWindow::viewActions() {
         {"look.names", tr("&Names on the pattern"), {}, {}, true, look(&PatternLook::names)},
         {"look.grid", tr("&Grid and rulers"), {}, {}, true, look(&PatternLook::grid)},
         {"look3d.body", tr("&Avatar"), {}, {}, true, render(&picture::RenderOptions::body), {}, tr("Avatar")},
-        {"look3d.meshLines", tr("Mesh on the &cloth"), QKeySequence(tr("Ctrl+Shift+M")), {}, true, render(&picture::RenderOptions::meshLines), {}, tr("Mesh")},
-        {"look3d.seams", tr("Seams on the cl&oth"), {}, {}, true, render(&picture::RenderOptions::seams), {}, tr("Seams")},
-        {"look3d.regions", tr("Regions on the clot&h"), {}, {}, true, render(&picture::RenderOptions::regions), {}, tr("Regions")},
+        {"look3d.meshLines",
+         tr("Mesh on the &cloth"),
+         QKeySequence(tr("Ctrl+Shift+M")),
+         {},
+         true,
+         render(&picture::RenderOptions::meshLines),
+         {},
+         tr("Mesh")},
+        {"look3d.seams",
+         tr("Seams on the cl&oth"),
+         {},
+         {},
+         true,
+         render(&picture::RenderOptions::seams),
+         {},
+         tr("Seams")},
+        {"look3d.regions",
+         tr("Regions on the clot&h"),
+         {},
+         {},
+         true,
+         render(&picture::RenderOptions::regions),
+         {},
+         tr("Regions")},
     };
 }
 
 std::vector<ActionSpec> MainWindow::simulationActions() {
     return {
         {"simulation.play", tr("&Simulate"), QKeySequence(Qt::Key_Space), "play", true,
-         [this] { workbench_.isPlaying() ? workbench_.pause() : workbench_.play(); }, tr("Start or pause the simulation")},
+         [this] { workbench_.isPlaying() ? workbench_.pause() : workbench_.play(); },
+         tr("Start or pause the simulation")},
         {"simulation.step", tr("One s&tep"), QKeySequence(tr("Ctrl+.")), "step", false, [this] { workbench_.step(); }},
         {"simulation.reset", tr("&Reset"), QKeySequence(tr("Ctrl+R")), "reset", false, [this] { workbench_.reset(); },
          tr("Back to where the pieces were placed")},
@@ -101,7 +183,8 @@ std::vector<ActionSpec> MainWindow::habitActions() {
     std::vector<ActionSpec> table;
     for (const auto& [id, text, habits] :
          {std::tuple("habits.clo", tr("As in &CLO: right drag orbits, middle drag pans"), CameraHabits::clo),
-          std::tuple("habits.blender", tr("As in &Blender: middle drag orbits, with Shift pans"), CameraHabits::blender),
+          std::tuple("habits.blender", tr("As in &Blender: middle drag orbits, with Shift pans"),
+                     CameraHabits::blender),
           std::tuple("habits.maya", tr("As in &Maya: Alt with left, middle, right drag"), CameraHabits::maya)})
         table.push_back({QLatin1String(id), text, {}, {}, true, [this, id = QLatin1String(id), habits = habits] {
                              view3D_->setCameraHabits(habits);
@@ -113,7 +196,8 @@ std::vector<ActionSpec> MainWindow::habitActions() {
 std::vector<ActionSpec> MainWindow::toolActions() {
     std::vector<ActionSpec> table;
     for (const ToolBox::Entry& entry : tools_.entries())
-        table.push_back({entry.id, entry.text, QKeySequence(entry.shortcut), entry.icon, true, [this, id = entry.id] { useTool(id); }});
+        table.push_back({entry.id, entry.text, QKeySequence(entry.shortcut), entry.icon, true,
+                         [this, id = entry.id] { useTool(id); }});
     return table;
 }
 

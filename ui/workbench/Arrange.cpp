@@ -42,7 +42,8 @@ Placement placedBeside(const body::Body* body, BodySide side, const Placement& b
     case BodySide::right: placement.transform = facing(-quarter); break;
     }
     const Vec3 outward = placement.transform.axisZ;
-    const double reach = (std::abs(outward.x) * (box.high.x - box.low.x) + std::abs(outward.z) * (box.high.z - box.low.z)) / 2;
+    const double reach =
+        (std::abs(outward.x) * (box.high.x - box.low.x) + std::abs(outward.z) * (box.high.z - box.low.z)) / 2;
     placement.transform.origin = Vec3{middle.x, before.transform.origin.y, middle.z} + outward * (reach + clearance);
     return placement;
 }
@@ -54,14 +55,16 @@ Effect arranged(const Desk& desk, const body::Body* body, BodySide side) {
         if (!pieceOf(item).empty()) pieces.push_back(pieceOf(item));
     if (pieces.empty()) return refusal(QCoreApplication::translate("Arrange", "Select the pieces to place first."));
     return effectOf(name, document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-        Result<Pattern> result = pattern;
-        for (const Item& item : pieces) {
-            const Piece* piece = findPiece(pattern, pieceOf(item));
-            if (result && piece)
-                result = setPlacement(*result, piece->id, placedBeside(body, side, piece->placement.value_or(startingPlace())));
-        }
-        return result;
-    }));
+                        Result<Pattern> result = pattern;
+                        for (const Item& item : pieces) {
+                            const Piece* piece = findPiece(pattern, pieceOf(item));
+                            if (result && piece)
+                                result =
+                                    setPlacement(*result, piece->id,
+                                                 placedBeside(body, side, piece->placement.value_or(startingPlace())));
+                        }
+                        return result;
+                    }));
 }
 
 } // namespace toile::ui

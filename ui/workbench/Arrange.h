@@ -8,7 +8,8 @@ namespace toile::ui {
 
 enum class BodySide { front, back, left, right };
 
-/// The placement beside a body, facing away from it, at the height it had. Without a body: beside where one would stand.
+/// The placement beside a body, facing away from it, at the height it had. Without a body: beside where one would
+/// stand.
 [[nodiscard]] pattern::Placement placedBeside(const body::Body* body, BodySide side, const pattern::Placement& before);
 
 /// The selected pieces beside the body.

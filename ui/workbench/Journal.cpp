@@ -14,7 +14,9 @@ const QString noteEnding = QStringLiteral(".recovery.txt");
 
 const QString lockEnding = QStringLiteral(".recovery.lock");
 
-QString beside(const QString& document, const QString& ending) { return document.chopped(documentEnding.size()) + ending; }
+QString beside(const QString& document, const QString& ending) {
+    return document.chopped(documentEnding.size()) + ending;
+}
 
 /// Nobody who still runs holds the lock.
 bool isAbandoned(const QString& document) {
@@ -36,7 +38,8 @@ Result<void> Journal::record(const document::Document& document, const QString& 
         lock_->setStaleLockTime(0);
         lock_->tryLock(0); // the name is ours alone; without the lock another program may offer our work as lost
     }
-    if (auto written = write_(folder.filePath(name_ + documentEnding).toStdString(), document); !written) return written;
+    if (auto written = write_(folder.filePath(name_ + documentEnding).toStdString(), document); !written)
+        return written;
     QSaveFile note(folder.filePath(name_ + noteEnding));
     if (!note.open(QIODevice::WriteOnly))
         return fail(ErrorCode::io, "The recovery note could not be written.", {.file = note.fileName().toStdString()});

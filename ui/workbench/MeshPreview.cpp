@@ -38,7 +38,8 @@ void MeshPreview::answer(const Request& request) {
     Result<meshing::GarmentMesh> mesh = mesher_(request.pattern);
     if (!mesh) {
         const QString why = QString::fromStdString(toString(mesh.error()));
-        QMetaObject::invokeMethod(this, [this, generation = request.generation, why] { Q_EMIT failed(generation, why); });
+        QMetaObject::invokeMethod(this,
+                                  [this, generation = request.generation, why] { Q_EMIT failed(generation, why); });
         return;
     }
     MeshedPattern result{request.generation, meshLinesOf(*mesh), std::move(mesh->report)};

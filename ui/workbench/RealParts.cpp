@@ -32,7 +32,9 @@ Result<meshing::GarmentMesh> meshOf(const pattern::Pattern& pattern) {
 WorkbenchParts realParts(const QString& recoveryFolder) {
     WorkbenchParts parts;
     parts.read = readAny;
-    parts.write = [](const std::string& file, const document::Document& document) { return io::writeToile(document, file); };
+    parts.write = [](const std::string& file, const document::Document& document) {
+        return io::writeToile(document, file);
+    };
     parts.readBody = [](const std::string& file) {
         // A body of ours says what it is; a foreign file that does not look human is a thing to drape over.
         auto human = io::readBody(file);

@@ -174,7 +174,9 @@ void Workbench::importAvatar(const QString& path) {
     apply({tr("Import avatar"), document::withAvatar(document(), avatarName(path, path_))});
 }
 
-void Workbench::removeAvatar() { apply({tr("Remove avatar"), document::withAvatar(document(), {})}); }
+void Workbench::removeAvatar() {
+    apply({tr("Remove avatar"), document::withAvatar(document(), {})});
+}
 
 void Workbench::play() {
     if (!parts_.simulation) return tell(tr("There is no simulation in this build."), true);
@@ -220,7 +222,9 @@ void Workbench::pollFrame() {
     }
 }
 
-void Workbench::tell(const QString& message, bool isProblem) { Q_EMIT messageChanged(message, isProblem); }
+void Workbench::tell(const QString& message, bool isProblem) {
+    Q_EMIT messageChanged(message, isProblem);
+}
 
 /// The document is another one: everything that follows from it is made anew.
 void Workbench::documentMoved() {

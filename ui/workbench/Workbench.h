@@ -22,7 +22,7 @@ struct WorkbenchParts {
     std::function<Result<body::Body>(const std::string& file)> readBody;
     MeshPreview::Mesher mesh;
     std::unique_ptr<Simulation> simulation;
-    QString recoveryFolder; ///< empty = no crash journal
+    QString recoveryFolder;                        ///< empty = no crash journal
     std::chrono::milliseconds recoveryDelay{3000}; ///< from an edit to its record
 };
 
@@ -107,14 +107,14 @@ private:
     MeshedPattern meshed_;
     std::optional<simulation::Frame> frame_;
     std::optional<Shared<body::Body>> body_;
-    QString bodyFile_;        ///< path that body_ was read from, or is being read from
+    QString bodyFile_;         ///< path that body_ was read from, or is being read from
     bool bodyLoading_ = false; ///< the simulation waits for it
     bool playWhenReady_ = false;
-    bool resetNext_ = false; ///< the next scene begins anew
-    std::uint64_t generation_ = 0;        ///< of scene_
-    std::uint64_t patternGeneration_ = 0; ///< of meshedPattern_
+    bool resetNext_ = false;                        ///< the next scene begins anew
+    std::uint64_t generation_ = 0;                  ///< of scene_
+    std::uint64_t patternGeneration_ = 0;           ///< of meshedPattern_
     std::optional<pattern::Pattern> meshedPattern_; ///< handed to the mesh preview
-    std::optional<simulation::Scene> scene_; ///< handed to the simulation
+    std::optional<simulation::Scene> scene_;        ///< handed to the simulation
     bool wasPlaying_ = false;
     std::optional<Journal> journal_;
     QTimer frames_, recovery_;
