@@ -73,14 +73,16 @@ private:
     // -- the worker's
     void run(std::stop_token stop) {
         while (!stop.stop_requested()) {
+            // Read in this order, so that a scene handed over before play was pressed is taken over before it plays.
             const std::uint64_t seen = signal_;
+            const bool mayPlay = playing_, mayStep = steps_ > 0;
             if (auto order = orders_.take()) accept(std::move(*order));
             if (reset_.exchange(false)) restart();
             if (pushed_.exchange(false) && simulation_) playUntil_ = simulation_->state().time + atLeast;
-            if (steps_ > 0) {
+            if (mayStep) {
                 --steps_;
                 advance();
-            } else if (playing_ && simulation_ && !rests()) {
+            } else if (mayPlay && playing_ && simulation_ && !rests()) {
                 advance();
             } else {
                 idleSince_ = seen;

@@ -14,6 +14,7 @@ class tst_Runner : public QObject {
 private slots:
     void aSceneGivesAFrameAtOnce();
     void playingGoesOnAndPauseStops();
+    void aSceneHandedOverBeforePlayIsTheOneThatPlays();
     void aStepIsOneFrame();
     void resetReturnsToThePlacement();
     void aWrongSceneGivesAMessage();
@@ -53,6 +54,26 @@ void tst_Runner::playingGoesOnAndPauseStops() {
     QVERIFY(waitForFrame(runner, [](const Frame& frame) { return frame.time > 0.05; }));
     runner.pause();
     QVERIFY(!runner.isPlaying());
+}
+
+void tst_Runner::aSceneHandedOverBeforePlayIsTheOneThatPlays() {
+    const Scene first = twoSquares(0.005); // some milliseconds to build: the rest is ordered meanwhile
+    Scene second = first;
+    for (Shared<pattern::Piece>& shared : second.pattern.pieces) {
+        pattern::Piece piece = *shared;
+        piece.placement->transform.origin += Vec3{5, 0, 0};
+        shared = Shared<pattern::Piece>(std::move(piece));
+    }
+    for (int i = 0; i < 10; ++i) {
+        Runner runner;
+        runner.setScene(first, 1);
+        QTest::qSleep(i);
+        runner.setScene(second, 2);
+        runner.play();
+        const auto frame = waitForFrame(runner, [](const Frame& f) { return f.generation == 2 && f.time > 0; });
+        QVERIFY(frame);
+        QVERIFY(frame->positions.front().x > 4); // where it was placed, not where the first one was played
+    }
 }
 
 void tst_Runner::aStepIsOneFrame() {
