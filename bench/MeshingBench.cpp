@@ -149,26 +149,12 @@ void millionCellsWithElements(benchmark::State& state) {
     state.counters["calibrated"] = seconds / static_cast<double>(state.iterations()) / calibration();
 }
 
-BENCHMARK(blouseBackWarm)
-    ->Unit(benchmark::kMillisecond)
-    ->UseManualTime()
-    ->Arg(20000)
-    ->Arg(10000)
-    ->Arg(5000)
-    ->Arg(2000)
-    ->Arg(1000)
-    ->Arg(250)
-    ->ArgName("um");
-BENCHMARK(blouseBackCold)
-    ->Unit(benchmark::kMillisecond)
-    ->UseManualTime()
-    ->Arg(20000)
-    ->Arg(10000)
-    ->Arg(5000)
-    ->Arg(2000)
-    ->Arg(1000)
-    ->Arg(250)
-    ->ArgName("um");
+void spacings(benchmark::internal::Benchmark* bench) {
+    for (const int micrometres : {20000, 10000, 5000, 2000, 1000, 250}) bench->Arg(micrometres);
+    bench->Unit(benchmark::kMillisecond)->UseManualTime()->ArgName("um");
+}
+BENCHMARK(blouseBackWarm)->Apply(spacings);
+BENCHMARK(blouseBackCold)->Apply(spacings);
 BENCHMARK(millionCellsMeshed)->Unit(benchmark::kMillisecond)->UseManualTime();
 BENCHMARK(millionCellsWithElements)->Unit(benchmark::kMillisecond)->UseManualTime();
 

@@ -5,6 +5,8 @@
 #include "core/collision/SelfProximity.h"
 #include "core/dynamics/Stage.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
@@ -90,8 +92,13 @@ private:
         double normalForce = 0;          ///< running mean of the substeps, then lagged by one iteration [N]
     };
 
+    /// Elements nearer than this have no direction that could be trusted: they count as crossed [m].
+    static constexpr double noDistance = 1e-9;
+    /// Of what is to be kept, so that rounding does not ask for more [–].
+    static constexpr double justEnough = 0.99;
+
+    // SelfContactNeighbours.cpp
     void search(double reach, std::span<const Vec3> positions, std::span<const Vec3> moves);
-    void seekPiercings(std::span<const Vec3> positions);
     [[nodiscard]] bool isIgnored(const collision::ElementPair& pair) const;
     [[nodiscard]] Contact contactOf(const collision::ElementPair& pair) const;
     [[nodiscard]] double targetOf(const collision::ElementPair& pair) const;
@@ -99,20 +106,28 @@ private:
     void foresee(const Substep& substep);
     [[nodiscard]] double leastDistance(const Watch& watch, std::span<const Vec3> positions) const;
     void look(const Watch& watch, Contact& contact, std::span<const Vec3> positions) const;
+    [[nodiscard]] static double farthestMove(std::span<const Vec3> from, std::span<const Vec3> to);
 
+    // SelfContact.cpp
     void pushApart(Substep& substep);
     [[nodiscard]] bool meetsOnTheWay(const Watch& watch, Contact& contact, const Substep& substep) const;
     void push(const Watch& watch, Contact& contact, Substep& substep) const;
+    void move(int particle, const Vec3& by, Substep& substep) const;
+    void placeSlave(int slave, std::span<Vec3> positions) const;
+    void placeSlaves(std::span<Vec3> positions) const;
+
+    // SelfContactCrossings.cpp
+    void seekPiercings(std::span<const Vec3> positions);
     void uncross(Substep& substep) const;
+
+    // SelfContactGuarantee.cpp
     void holdApart(Substep& substep);
     [[nodiscard]] double keptOf(double start) const;
     [[nodiscard]] bool isSeparated(const Watch& watch, Contact& contact, const Substep& substep) const;
     void shorten(const Watch& watch, const Contact& contact, Substep& substep);
     void goPartOfTheWay(int particle, double fraction, Substep& substep);
-    void move(int particle, const Vec3& by, Substep& substep) const;
-    void placeSlave(int slave, std::span<Vec3> positions) const;
-    void placeSlaves(std::span<Vec3> positions) const;
 
+    // SelfContactStatics.cpp
     [[nodiscard]] double stiffnessOf(const Watch& watch) const;
     [[nodiscard]] double pressureAt(const Watch& watch, double distance) const;
     [[nodiscard]] Vec3 slipOf(std::size_t pair, std::span<const Vec3> positions) const;
@@ -141,5 +156,18 @@ private:
     std::vector<Vec3> iterationStart_;  ///< of statics [m]
     std::vector<Vec3> anchors_;         ///< where particles were at the start of statics; empty until then [m]
 };
+
+/// Of every pair in every substep, and therefore inline: by what its ends have moved against each other since
+/// neighbours were sought.
+inline double SelfContact::leastDistance(const Watch& watch, std::span<const Vec3> positions) const {
+    const auto& v = watch.elements.vertices;
+    const auto moved = [&](int i) { return positions[v[i]] - from_[v[i]]; };
+    const Vec3 a = moved(0), b = moved(1), c = moved(2), d = moved(3);
+    const double squared =
+        watch.elements.firstCount == 1
+            ? std::max({squaredLength(a - b), squaredLength(a - c), squaredLength(a - d)})
+            : std::max({squaredLength(a - c), squaredLength(a - d), squaredLength(b - c), squaredLength(b - d)});
+    return watch.known - std::sqrt(squared);
+}
 
 } // namespace toile::dynamics

@@ -3,33 +3,12 @@
 #include "core/dynamics/Xpbd.h"
 #include "tests/cloth/Fixtures.h"
 #include "tests/dynamics/ContactWorld.h"
+#include "tests/dynamics/DenseSink.h"
 
 #include <QtTest>
 
 using namespace toile;
 using namespace toile::contactWorld;
-
-namespace {
-
-/// Collects the 3×3 blocks of a small Hessian densely.
-class DenseSink : public dynamics::HessianSink {
-public:
-    explicit DenseSink(int particles) : size(3 * particles), values(size * size) {}
-    void add(int i, int j, const double (&block)[9]) override {
-        for (int r = 0; r < 3; ++r)
-            for (int c = 0; c < 3; ++c) values[(3 * i + r) * size + 3 * j + c] += block[3 * r + c];
-    }
-    [[nodiscard]] double quadratic(const std::vector<double>& v) const {
-        double sum = 0;
-        for (int r = 0; r < size; ++r)
-            for (int c = 0; c < size; ++c) sum += v[r] * values[r * size + c] * v[c];
-        return sum;
-    }
-    int size;
-    std::vector<double> values;
-};
-
-} // namespace
 
 class tst_BodyContactStatics : public QObject {
     Q_OBJECT
@@ -78,7 +57,7 @@ void tst_BodyContactStatics::theHessianIsTheCurvatureOfTheEnergyAndNeverNegative
         BodyContact contact(body, samples);
         contact.beginIteration(x);
         for (Vec3& p : x) p += shapes::randomPoint(random, n % 2 ? 4e-5 : 2e-4);
-        DenseSink sink(2);
+        fixtures::DenseSink sink(2);
         contact.addHessian(x, sink);
 
         std::vector<double> v(6);
@@ -116,7 +95,7 @@ void tst_BodyContactStatics::inStaticsFrictionHoldsUpToTheConeAndNotBeyond() {
             std::vector<Vec3> force{world.acceleration * mass};
             contact.addForces(x, force);
             residual = length(force[0]);
-            DenseSink hessian(1);
+            fixtures::DenseSink hessian(1);
             contact.addHessian(x, hessian);
             // the plane is level: x and y do not mix. At most 1 mm per iteration.
             const double stiffnessX = std::max(hessian.values[0], 1e-9), stiffnessY = std::max(hessian.values[4], 1e-3);

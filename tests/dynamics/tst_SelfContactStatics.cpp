@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/Statics.h"
+#include "tests/dynamics/DenseSink.h"
 #include "tests/dynamics/LayeredCloth.h"
 
 #include <QtTest>
@@ -11,24 +12,6 @@ using namespace toile::layers;
 using dynamics::SelfContact;
 
 namespace {
-
-/// Collects the 3×3 blocks of a small Hessian densely.
-class DenseSink : public dynamics::HessianSink {
-public:
-    explicit DenseSink(int particles) : size(3 * particles), values(size * size) {}
-    void add(int i, int j, const double (&block)[9]) override {
-        for (int r = 0; r < 3; ++r)
-            for (int c = 0; c < 3; ++c) values[(3 * i + r) * size + 3 * j + c] += block[3 * r + c];
-    }
-    [[nodiscard]] double quadratic(const std::vector<double>& v) const {
-        double sum = 0;
-        for (int r = 0; r < size; ++r)
-            for (int c = 0; c < size; ++c) sum += v[r] * values[r * size + c] * v[c];
-        return sum;
-    }
-    int size;
-    std::vector<double> values;
-};
 
 Vec3 randomStep(std::mt19937& random, double size) {
     std::uniform_real_distribution<double> any(-size, size);
@@ -112,7 +95,7 @@ void tst_SelfContactStatics::theHessianIsTheCurvatureAcrossTheLayersAndNeverNega
         SelfContact contact(cloth.model, cloth.surface);
         const std::vector<Vec3>& x = cloth.state.positions;
         contact.beginIteration(x);
-        DenseSink sink(static_cast<int>(x.size()));
+        fixtures::DenseSink sink(static_cast<int>(x.size()));
         contact.addHessian(x, sink);
         std::vector<double> v(3 * x.size());
         for (double& value : v) value = any(random);
