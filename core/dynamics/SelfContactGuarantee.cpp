@@ -7,7 +7,6 @@
 /// What is apart stays apart: ways are shortened before elements meet.
 namespace toile::dynamics {
 
-
 using collision::gapAlong;
 
 /// Shortens the ways of particles until every pair has a direction along which it is separated at the start

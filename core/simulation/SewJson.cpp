@@ -58,6 +58,7 @@ Json toJson(const std::optional<WornReport>& worn) {
     json.set("rightSideOut", worn->rightSideOut).set("turnedLength", worn->turnedLength);
     Json landmarks;
     landmarks.set("napeDistance", numberOrNull(worn->napeDistance));
+    landmarks.set("necklineWiderBy", numberOrNull(worn->necklineWiderBy));
     landmarks.set("symmetryDifference", numberOrNull(worn->symmetryDifference));
     landmarks.set("waistDrop", numberOrNull(worn->waistDrop));
     return json.set("landmarks", landmarks).set("stretch", stretchJson(worn->wovenStrain));

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Worn.h"
 
+#include "core/simulation/BackNeck.h"
+#include "core/simulation/RightSide.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
 #include <ranges>
+#include <set>
 
 namespace toile::simulation {
 namespace {
@@ -127,57 +131,6 @@ void judgeOpenings(WornReport& report, const std::vector<Opening>& openings, con
             report.why.push_back(fmt::format("The {} passes through more than one opening.", limb));
 }
 
-Vec3 centreOf(const std::array<int, 3>& triangle, const std::vector<Vec3>& positions) {
-    return (positions[triangle[0]] + positions[triangle[1]] + positions[triangle[2]]) / 3;
-}
-
-/// For each triangle the patch of its piece that it belongs to: patches are some 0.2 m across where the piece was
-/// placed.
-std::vector<int> patchesOf(const Drape& drape) {
-    constexpr double size = 0.2; // [m]: wider than folds are deep, narrow enough that a turned side of a piece is one
-    struct Seed {
-        int piece;
-        Vec3 at;
-    };
-    std::vector<Seed> seeds;
-    const auto pieceOf = [&](std::size_t t) { return drape.piece.empty() ? 0 : drape.piece[t]; };
-    const auto nearestTo = [&](std::size_t t) { // of the seeds of its piece: index and distance
-        std::pair<int, double> nearest{-1, std::numeric_limits<double>::infinity()};
-        for (std::size_t i = 0; i < seeds.size(); ++i)
-            if (const double d = geometry::distance(seeds[i].at, centreOf(drape.triangles[t], drape.start));
-                seeds[i].piece == pieceOf(t) && d < nearest.second)
-                nearest = {static_cast<int>(i), d};
-        return nearest;
-    };
-    for (std::size_t t = 0; t < drape.triangles.size(); ++t)
-        if (nearestTo(t).second > size) seeds.push_back({pieceOf(t), centreOf(drape.triangles[t], drape.start)});
-    std::vector<int> patches;
-    for (std::size_t t = 0; t < drape.triangles.size(); ++t) patches.push_back(nearestTo(t).first);
-    return patches;
-}
-
-/// The share of the area in patches whose right side faces away from the body on the whole. A single triangle may face
-/// it: folds hang over. What a fold adds to ∫ n·dA of a patch on one flank it takes away on the other.
-double rightSideShare(const Drape& drape, const collision::BodySurface& surface) {
-    constexpr double searchRadius = 0.5; // cloth farther off than this from the body is not worn anyway
-    const std::vector<int> patches = patchesOf(drape);
-    std::vector<double> areas(patches.size(), 0), outward(patches.size(), 0);
-    for (std::size_t t = 0; t < patches.size(); ++t) {
-        const auto& [a, b, c] = drape.triangles[t];
-        const Vec3& corner = drape.positions[a];
-        const Vec3 doubledArea = cross(drape.positions[b] - corner, drape.positions[c] - corner);
-        areas[patches[t]] += 0.5 * length(doubledArea);
-        if (const auto nearest = surface.nearest(centreOf(drape.triangles[t], drape.positions), searchRadius))
-            outward[patches[t]] += 0.5 * dot(nearest->normal, doubledArea);
-    }
-    double whole = 0, right = 0;
-    for (std::size_t i = 0; i < areas.size(); ++i) {
-        whole += areas[i];
-        if (outward[i] > 0) right += areas[i];
-    }
-    return whole > 0 ? right / whole : 0;
-}
-
 double turnedLength(const Drape& drape) {
     double sum = 0;
     for (const auto& [a, b] : turnedEdgesOf(drape.triangles))
@@ -185,33 +138,19 @@ double turnedLength(const Drape& drape) {
     return sum;
 }
 
-/// The point of a neck opening in the sagittal plane at the back.
-Vec3 backNeckPoint(const std::vector<Vec3>& loop) {
-    const double middle = meanOf(loop).z;
-    Vec3 best = loop.front();
-    double bestSide = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < loop.size(); ++i) { // where the loop passes x = 0 behind its middle
-        const Vec3 &p = loop[i], &q = loop[(i + 1) % loop.size()];
-        const double t = p.x == q.x ? 0 : std::clamp(p.x / (p.x - q.x), 0.0, 1.0);
-        const Vec3 at = lerp(p, q, t);
-        if (at.z < middle && std::abs(at.x) < bestSide) {
-            bestSide = std::abs(at.x);
-            best = at;
-        }
-    }
-    return best;
-}
-
 void judgeNeckOrWaist(WornReport& report, const std::vector<Opening>& openings, const Drape& drape,
                       const body::Body& body, const WornSettings& settings) {
     const auto neck = std::ranges::find(report.openings, "neck", &OpeningReport::name);
     if (neck != report.openings.end()) {
-        const auto& opening = openings[static_cast<std::size_t>(neck - report.openings.begin())];
-        report.napeDistance =
-            geometry::distance(backNeckPoint(pointsOf(opening, drape.positions)), body.landmarks.nape);
-        if (*report.napeDistance > settings.napeDistance)
-            report.why.push_back(
-                fmt::format("The back-neck point lies {:.1f} mm from the nape.", 1000 * *report.napeDistance));
+        const Opening& rim = openings[static_cast<std::size_t>(neck - report.openings.begin())];
+        const BackNeck back = backNeckOf(rim, drape.triangles, drape.piece, drape.positions, body.landmarks);
+        report.napeDistance = back.napeDistance;
+        report.necklineWiderBy = back.widerBy;
+        const double allowed = settings.napeDistance + (back.below ? back.widerBy : 0);
+        if (back.napeDistance > allowed)
+            report.why.push_back(fmt::format(
+                "The back-neck point lies {:.1f} mm from the nape, more than the {:.0f} mm that suit its neckline.",
+                1000 * back.napeDistance, 1000 * allowed));
         return;
     }
     const auto top = std::ranges::max_element(report.openings, {}, &OpeningReport::startHeight);
@@ -222,16 +161,33 @@ void judgeNeckOrWaist(WornReport& report, const std::vector<Opening>& openings, 
                                          1000 * *report.waistDrop));
 }
 
-void judgeSymmetry(WornReport& report, const Drape& drape, const WornSettings& settings) {
-    if (drape.mirrorPairs.empty()) return;
-    double largest = 0;
-    for (const auto& [left, right] : drape.mirrorPairs) {
-        const Vec3& p = drape.positions[left];
-        largest = std::max(largest, geometry::distance({-p.x, p.y, p.z}, drape.positions[right]));
+/// The particles on rims that hang free of the body: what such a hem's folds do is chance.
+std::set<int> onFreeRims(const std::vector<Opening>& openings, const Drape& drape,
+                         const collision::BodySurface& surface, double freeRim) {
+    constexpr double searchRadius = 0.5; // [m]; what is farther off counts as so far
+    std::set<int> particles;
+    for (const Opening& opening : openings) {
+        double sum = 0;
+        for (const int particle : opening) {
+            const auto nearest = surface.nearest(drape.positions[particle], searchRadius);
+            sum += nearest ? nearest->signedDistance : searchRadius;
+        }
+        if (sum > freeRim * static_cast<double>(opening.size())) particles.insert(opening.begin(), opening.end());
     }
-    report.symmetryDifference = largest;
-    if (largest > settings.symmetry)
-        report.why.push_back(fmt::format("Left and right differ by {:.1f} mm.", 1000 * largest));
+    return particles;
+}
+
+void judgeSymmetry(WornReport& report, const std::vector<Opening>& openings, const Drape& drape,
+                   const collision::BodySurface& surface, const WornSettings& settings) {
+    const std::set<int> free = onFreeRims(openings, drape, surface, settings.freeRim);
+    for (const auto& [left, right] : drape.mirrorPairs) {
+        if (free.contains(left) && free.contains(right)) continue;
+        const Vec3& p = drape.positions[left];
+        const double difference = geometry::distance({-p.x, p.y, p.z}, drape.positions[right]);
+        report.symmetryDifference = std::max(report.symmetryDifference.value_or(0), difference);
+    }
+    if (report.symmetryDifference && *report.symmetryDifference > settings.symmetry)
+        report.why.push_back(fmt::format("Left and right differ by {:.1f} mm.", 1000 * *report.symmetryDifference));
 }
 
 /// Knits are meant to stretch.
@@ -288,12 +244,12 @@ WornReport wornReport(const Drape& drape, const body::Body& body, const collisio
     if (report.turnedLength > 0)
         report.why.push_back(
             fmt::format("Right side is sewn to wrong side along {:.0f} mm.", 1000 * report.turnedLength));
-    report.rightSideOut = rightSideShare(drape, surface);
+    report.rightSideOut = rightSideOutShare(drape.triangles, drape.positions);
     if (report.rightSideOut < settings.rightSideShare)
         report.why.push_back(
             fmt::format("Only {:.1f} % of the cloth has its right side out.", 100 * report.rightSideOut));
     judgeNeckOrWaist(report, openings, drape, body, settings);
-    judgeSymmetry(report, drape, settings);
+    judgeSymmetry(report, openings, drape, surface, settings);
     judgeStretch(report, drape, settings);
     report.worn = report.why.empty();
     return report;

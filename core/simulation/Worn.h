@@ -23,10 +23,13 @@ struct OpeningReport {
 };
 
 struct WornSettings {
-    double rightSideShare = 0.99; ///< of the area must face away from the body [–]
-    double napeDistance = 0.015;  ///< largest distance of the back-neck point from the nape [m]
+    double rightSideShare = 0.99; ///< of the area must have its right side out [–]
+    double napeDistance = 0.015;  ///< largest distance of the back-neck point from the nape; below it, more by what the
+                                  ///< neckline is wider than the neck [m]
     double symmetry = 0.005;      ///< largest difference of a mirror pair of landmarks [m]
-    double waistDrop = 0.015;     ///< how far a waistband may lie from the level it was placed at [m]
+    double freeRim = 0.050;   ///< mean distance from the body beyond which an opening hangs in folds of its own: its
+                              ///< corners are no landmarks [m]
+    double waistDrop = 0.015; ///< how far a waistband may lie from the level it was placed at [m]
     double stretchPercentile99 =
         0.02;                     ///< which 99 % of the area of woven cloth may not exceed, along warp and weft [–]
     double stretchMaximum = 0.05; ///< which no element of woven cloth may exceed [–]
@@ -37,9 +40,10 @@ struct WornReport {
     bool worn = false;
     std::vector<std::string> why; ///< a sentence for each condition that fails; empty when worn
     std::vector<OpeningReport> openings;
-    double turnedLength = 0;            ///< of seams that join right side to wrong side [m]
-    double rightSideOut = 0;            ///< share of the area whose right side faces away from the body, patch by patch
-    std::optional<double> napeDistance; ///< [m]; of garments with a neck opening
+    double turnedLength = 0;                  ///< of seams that join right side to wrong side [m]
+    double rightSideOut = 0;                  ///< share of the area whose right side is the outside of the garment
+    std::optional<double> napeDistance;       ///< [m]; of garments with a neck opening
+    std::optional<double> necklineWiderBy;    ///< than the neck, on either side [m]; of the same
     std::optional<double> symmetryDifference; ///< [m]; of patterns with mirror pieces
     std::optional<double> waistDrop;          ///< [m]; of garments without a neck opening
     std::optional<StrainSummary> wovenStrain; ///< of garments with woven pieces

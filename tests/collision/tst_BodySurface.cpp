@@ -23,18 +23,6 @@ BodySurface surfaceOf(TriangleMesh mesh) {
     return std::move(*surface);
 }
 
-/// Solid angle of the surface seen from p, over 4π: 1 inside a closed surface, 0 outside. Knows nothing of nearest
-/// points or normals.
-double windingNumber(const TriangleMesh& mesh, const Vec3& p) {
-    double sum = 0;
-    for (const auto& t : mesh.triangles) {
-        const Vec3 a = mesh.vertices[t[0]] - p, b = mesh.vertices[t[1]] - p, c = mesh.vertices[t[2]] - p;
-        const double la = length(a), lb = length(b), lc = length(c);
-        sum += 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-    }
-    return sum / (4 * std::numbers::pi);
-}
-
 /// Nearest distance by trying many points of the triangle: from above, and good to the step of the lattice.
 double sampledDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, int steps) {
     double best = anywhere;
@@ -114,7 +102,7 @@ void tst_BodySurface::theSignIsThatOfTheWindingNumber() {
     for (int n = 0; n < 4000; ++n) {
         Vec3 p = shapes::randomPoint(random, 1);
         if (n % 2) p = normalized(p) * (0.9 + 0.2 * (n % 100) / 100.0); // half of them near the surface
-        const bool inside = windingNumber(surface.mesh(), p) > 0.5;
+        const bool inside = shapes::windingNumber(surface.mesh(), p) > 0.5;
         QCOMPARE(surface.nearest(p, anywhere)->signedDistance < 0, inside);
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/collision/BodySurface.h"
 #include "core/simulation/Worn.h"
+#include "tests/simulation/Tubes.h"
 
 #include <QtTest>
 #include <cmath>
@@ -13,21 +14,13 @@ namespace {
 
 constexpr int around = 24;
 
-/// A ring of points round an upright line, with rising angle from +x to −z: counter-clockwise seen from above.
 void appendRing(std::vector<Vec3>& points, const Vec3& centre, double radius) {
-    for (int i = 0; i < around; ++i) {
-        const double angle = 2 * std::numbers::pi * i / around + 0.01; // no corner in a plane of symmetry
-        points.push_back(centre + Vec3{radius * std::cos(angle), 0, -radius * std::sin(angle)});
-    }
+    const std::vector<Vec3> ring = tubes::ring(centre, radius, around);
+    points.insert(points.end(), ring.begin(), ring.end());
 }
 
-/// Triangles between two rings, seen from outside counter-clockwise when the second lies above the first.
 void appendBand(std::vector<std::array<int, 3>>& triangles, int lower, int upper) {
-    for (int i = 0; i < around; ++i) {
-        const int next = (i + 1) % around;
-        triangles.push_back({lower + i, lower + next, upper + i});
-        triangles.push_back({lower + next, upper + next, upper + i});
-    }
+    tubes::appendBand(triangles, lower, upper, around);
 }
 
 /// An upright open tube of cloth.
@@ -70,6 +63,8 @@ const body::Body& post() {
         body.landmarks.acromionLeft = {0.3, 1.4, 0};
         body.landmarks.acromionRight = {-0.3, 1.4, 0};
         body.landmarks.nape = {0, 1.45, -0.1};
+        body.landmarks.neckLeft = {0.09, 1.44, 0};
+        body.landmarks.neckRight = {-0.09, 1.44, 0};
         // Neck and torso overlap, as a mannequin's do.
         body.axes = {{body::Limb::neck, {{0, 1.3, 0}, {0, 1.4, 0.01}, {0, 1.9, 0}}},
                      {body::Limb::torso, {{0, 1.4, 0}, {0, -0.2, 0}}},
@@ -111,16 +106,18 @@ private slots:
     void twoTubesOnOneArmAreSaid();
     void aSleevePlacedOnTheOtherSideIsSaid();
     void insideOutIsSeen();
-    void theShareOfTheRightSideIsOfTheArea();
-    void aFoldThatHangsOverIsNotInsideOut();
-    void aPieceInsideOutIsSeenThoughItIsSewnToOthers();
     void aSeamSewnTheWrongWayRoundIsMeasured();
     void aWaistThatSlidIsSaid();
     void wovenClothThatIsStretchedIsSaid_data();
     void wovenClothThatIsStretchedIsSaid();
     void aSkirtHasNoNeckOpening();
     void theBackNeckPointIsMeasuredToTheNape();
+    void aWideNecklineMayLieLower_data();
+    void aWideNecklineMayLieLower();
+    void underACollarTheSeamCounts_data();
+    void underACollarTheSeamCounts();
     void mirrorPairsAreCompared();
+    void cornersOfAHemThatHangsFreeAreNoLandmarks();
 };
 
 void tst_Worn::aTubeRoundTheTrunkIsWorn() {
@@ -202,35 +199,6 @@ void tst_Worn::insideOutIsSeen() {
     QVERIFY(says(report, "Only 0.0 % of the cloth has its right side out."));
 }
 
-void tst_Worn::theShareOfTheRightSideIsOfTheArea() {
-    Drape drape = skirt();
-    Drape turned = tube({0, 0.3, 0}, 0.1, 0.13); // a quarter of the skirt's area, inside out
-    for (auto& triangle : turned.triangles) std::swap(triangle[1], triangle[2]);
-    drape.piece.assign(drape.triangles.size(), 0);
-    drape.piece.resize(drape.triangles.size() + turned.triangles.size(), 1);
-    append(drape, turned);
-    QVERIFY(std::abs(verdictOn(drape).rightSideOut - 0.8) < 1e-12);
-}
-
-void tst_Worn::aFoldThatHangsOverIsNotInsideOut() {
-    Drape drape = skirt(); // and from its hem the cloth turns up and comes down again outside: a pleat round the body
-    appendRing(drape.positions, {0, 0.8, 0}, 0.15);
-    appendRing(drape.positions, {0, 0.5, 0}, 0.17);
-    appendBand(drape.triangles, 2 * around, 0); // faces the body
-    appendBand(drape.triangles, 3 * around, 2 * around);
-    drape.start = drape.positions;
-    QCOMPARE(verdictOn(drape).rightSideOut, 1.0);
-}
-
-void tst_Worn::aPieceInsideOutIsSeenThoughItIsSewnToOthers() {
-    Drape drape = skirt();
-    for (std::size_t t = 0; t < drape.triangles.size(); ++t) {
-        drape.piece.push_back(t < drape.triangles.size() / 4);
-        if (drape.piece.back() == 1) std::swap(drape.triangles[t][1], drape.triangles[t][2]);
-    }
-    QVERIFY(std::abs(verdictOn(drape).rightSideOut - 0.75) < 1e-12);
-}
-
 void tst_Worn::aSeamSewnTheWrongWayRoundIsMeasured() {
     Drape drape = skirt();
     QCOMPARE(verdictOn(drape).turnedLength, 0.0);
@@ -301,6 +269,50 @@ void tst_Worn::theBackNeckPointIsMeasuredToTheNape() {
     QVERIFY(!report.waistDrop);
 }
 
+void tst_Worn::aWideNecklineMayLieLower_data() {
+    QTest::addColumn<double>("radius"); // of the neckline; the neck's is 0.09 m, the nape lies 0.1 m behind its middle
+    QTest::addColumn<double>("height"); // of the neckline; the nape's is 1.45 m
+    QTest::addColumn<bool>("right");
+    QTest::newRow("as wide as the neck, at its level") << 0.090 << 1.44 << true;
+    QTest::newRow("as wide as the neck, lower") << 0.090 << 1.43 << false;
+    QTest::newRow("wider, lower by what it is wider") << 0.112 << 1.43 << true;
+    QTest::newRow("wider, lower by more than that") << 0.112 << 1.41 << false;
+    QTest::newRow("wider, but higher") << 0.112 << 1.47 << false;
+}
+
+void tst_Worn::aWideNecklineMayLieLower() {
+    QFETCH(double, radius);
+    QFETCH(double, height);
+    QFETCH(bool, right);
+    const WornReport report = verdictOn(tube({0, height - 0.2, 0}, 0.2, radius));
+    QVERIFY(std::abs(*report.necklineWiderBy - (radius - 0.09)) < 0.001); // 24 corners, none at the sides
+    QCOMPARE(!says(report, "from the nape, more than"), right);
+}
+
+void tst_Worn::underACollarTheSeamCounts_data() {
+    QTest::addColumn<double>("high"); // the upper piece; its edge is as far above the nape
+    QTest::addColumn<bool>("isCollar");
+    QTest::newRow("a collar") << 0.06 << true;
+    QTest::newRow("a yoke") << 0.10 << false;
+}
+
+void tst_Worn::underACollarTheSeamCounts() {
+    QFETCH(double, high);
+    QFETCH(bool, isCollar);
+    const double level = post().landmarks.nape.y;
+    Drape drape = tube({0, level - 0.2, 0}, 0.2, 0.1);
+    drape.piece.assign(drape.triangles.size(), 0);
+    appendRing(drape.positions, {0, level + high, 0}, 0.1);
+    appendBand(drape.triangles, around, 2 * around);
+    drape.piece.resize(drape.triangles.size(), 1);
+    drape.start = drape.positions;
+    const WornReport report = verdictOn(drape);
+    // Behind, between two corners, the tube is narrower by r(1 − cos 7.5°) at most.
+    const double narrower = 0.1 * (1 - std::cos(std::numbers::pi / around));
+    QVERIFY(std::abs(*report.napeDistance - (isCollar ? 0 : high)) <= narrower);
+    QCOMPARE(!says(report, "from the nape, more than"), isCollar);
+}
+
 void tst_Worn::mirrorPairsAreCompared() {
     Drape drape = skirt();
     const int left = static_cast<int>(drape.positions.size()), right = left + 1;
@@ -312,6 +324,26 @@ void tst_Worn::mirrorPairsAreCompared() {
     const WornReport report = verdictOn(drape);
     QVERIFY(std::abs(*report.symmetryDifference - 0.006) < 1e-12);
     QVERIFY(says(report, "Left and right differ by 6.0 mm."));
+}
+
+void tst_Worn::cornersOfAHemThatHangsFreeAreNoLandmarks() {
+    const auto flared = [](double hemRadius) {
+        Drape drape = skirt(); // and its hem so wide
+        for (int i = 0; i < around; ++i) {
+            drape.positions[i].x *= hemRadius / 0.13;
+            drape.positions[i].z *= hemRadius / 0.13;
+        }
+        drape.positions[0].y -= 0.02; // one corner hangs lower
+        drape.start = drape.positions;
+        drape.mirrorPairs = {{0, around / 2}};
+        return drape;
+    };
+    Drape close = flared(0.14), free = flared(0.16);
+    QVERIFY(*verdictOn(close).symmetryDifference > 0.02);      // 0.04 m from the body
+    QVERIFY(!verdictOn(free).symmetryDifference);              // 0.06 m
+    free.mirrorPairs.push_back({around, around + around / 2}); // on its waist
+    free.positions[around].y += 0.01;
+    QVERIFY(std::abs(*verdictOn(free).symmetryDifference - 0.01) < 0.001);
 }
 
 QTEST_APPLESS_MAIN(tst_Worn)

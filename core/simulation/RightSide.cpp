@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/RightSide.h"
+
+#include "core/collision/WindingNumber.h"
+#include "core/simulation/Openings.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+
+namespace toile::simulation {
+namespace {
+
+using geometry::TriangleIndices;
+using geometry::TriangleMesh;
+
+/// The triangles at each edge, whichever way they run through it.
+std::map<std::array<int, 2>, std::vector<int>> trianglesAtEdges(std::span<const TriangleIndices> triangles) {
+    std::map<std::array<int, 2>, std::vector<int>> at;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto [low, high] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
+            at[{low, high}].push_back(static_cast<int>(t));
+        }
+    return at;
+}
+
+/// The triangles beside each triangle.
+std::vector<std::vector<int>> neighboursOf(std::span<const TriangleIndices> triangles) {
+    std::vector<std::vector<int>> beside(triangles.size());
+    for (const auto& [edge, sharing] : trianglesAtEdges(triangles))
+        for (const int a : sharing)
+            for (const int b : sharing)
+                if (a != b) beside[a].push_back(b);
+    return beside;
+}
+
+/// Every triangle that can be reached from one over edges, in the order in which they are, each with the one it was
+/// reached from; −1 for the first.
+std::vector<std::array<int, 2>> reachedFrom(int first, const std::vector<std::vector<int>>& beside,
+                                            std::vector<bool>& seen) {
+    std::vector<std::array<int, 2>> reached{{first, -1}};
+    seen[first] = true;
+    for (std::size_t i = 0; i < reached.size(); ++i)
+        for (const int neighbour : beside[reached[i][0]])
+            if (!seen[neighbour]) {
+                seen[neighbour] = true;
+                reached.push_back({neighbour, reached[i][0]});
+            }
+    return reached;
+}
+
+bool runsThrough(const TriangleIndices& triangle, int from, int to) {
+    return (triangle[0] == from && triangle[1] == to) || (triangle[1] == from && triangle[2] == to) ||
+           (triangle[2] == from && triangle[0] == to);
+}
+
+/// Whether two neighbours run through an edge of both in the same direction.
+bool runAlike(const TriangleIndices& a, const TriangleIndices& b) {
+    return runsThrough(b, a[0], a[1]) || runsThrough(b, a[1], a[2]) || runsThrough(b, a[2], a[0]);
+}
+
+/// Area vector of the fan over a closed line, seen from any point [m²].
+Vec3 areaOf(const std::vector<Vec3>& loop) {
+    Vec3 doubled;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        doubled += cross(loop[i] - loop.front(), loop[(i + 1) % loop.size()] - loop.front());
+    return 0.5 * doubled;
+}
+
+/// Where the cloth would end if it went on narrowing beyond an opening: so far away that the cone hardly leans, for the
+/// rim of a hem lies in folds, and a cone that leans would pass through them.
+Vec3 apexOver(const std::vector<Vec3>& loop, const Vec3& middleOfCloth) {
+    constexpr double slenderness = 4; // of the cone over a round opening, height to radius [–]
+    Vec3 middle;
+    double perimeter = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        middle += loop[i] / static_cast<double>(loop.size());
+        perimeter += geometry::distance(loop[i], loop[(i + 1) % loop.size()]);
+    }
+    const Vec3 area = areaOf(loop);
+    if (length(area) == 0) return middle;
+    const Vec3 outward = normalized(area) * (dot(area, middle - middleOfCloth) < 0 ? -1.0 : 1.0);
+    return middle + outward * (slenderness * perimeter / (2 * std::numbers::pi));
+}
+
+/// The part with a cone over each of its openings behind its own triangles.
+TriangleMesh closed(const ClothPart& part, const std::vector<Vec3>& positions) {
+    TriangleMesh mesh{positions, part};
+    Vec3 middle;
+    for (const auto& triangle : part)
+        for (const int corner : triangle) middle += positions[corner] / (3.0 * static_cast<double>(part.size()));
+    for (const Opening& opening : openingsOf(part)) {
+        std::vector<Vec3> loop;
+        for (const int particle : opening) loop.push_back(positions[particle]);
+        const int apex = static_cast<int>(mesh.vertices.size());
+        mesh.vertices.push_back(apexOver(loop, middle));
+        for (std::size_t i = 0; i < opening.size(); ++i)
+            mesh.triangles.push_back({opening[(i + 1) % opening.size()], opening[i], apex});
+    }
+    return mesh;
+}
+
+double areaOf(const TriangleIndices& t, const std::vector<Vec3>& positions) {
+    return 0.5 * length(cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]));
+}
+
+} // namespace
+
+std::vector<ClothPart> partsOf(std::span<const TriangleIndices> triangles) {
+    std::vector<TriangleIndices> sound;
+    std::ranges::copy_if(triangles, std::back_inserter(sound),
+                         [](const auto& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; });
+    const auto beside = neighboursOf(sound);
+    std::vector<bool> seen(sound.size(), false);
+    std::vector<ClothPart> parts;
+    for (int t = 0; t < static_cast<int>(sound.size()); ++t) {
+        if (seen[t]) continue;
+        ClothPart& part = parts.emplace_back();
+        for (const auto& [triangle, from] : reachedFrom(t, beside, seen)) part.push_back(sound[triangle]);
+    }
+    return parts;
+}
+
+std::vector<bool> turnedAgainstFirst(const ClothPart& part) {
+    std::vector<bool> turned(part.size(), false), seen(part.size(), false);
+    for (const auto& [triangle, from] : reachedFrom(0, neighboursOf(part), seen))
+        if (from >= 0) turned[triangle] = turned[from] != runAlike(part[triangle], part[from]);
+    return turned;
+}
+
+double rightSideOutShare(std::span<const TriangleIndices> triangles, const std::vector<Vec3>& positions) {
+    double whole = 0, right = 0;
+    for (const ClothPart& part : partsOf(triangles)) {
+        const std::vector<bool> turned = turnedAgainstFirst(part);
+        ClothPart alike = part;
+        for (std::size_t t = 0; t < part.size(); ++t)
+            if (turned[t]) std::swap(alike[t][1], alike[t][2]);
+        const collision::WindingNumber winding(closed(alike, positions));
+        for (std::size_t t = 0; t < part.size(); ++t) {
+            const double area = areaOf(part[t], positions);
+            whole += area;
+            const long before = std::lround(winding.onTriangle(static_cast<int>(t)) - 0.5); // and behind one more
+            if (turned[t] ? before < 0 : before >= 0) right += area;
+        }
+    }
+    return whole > 0 ? right / whole : 0;
+}
+
+} // namespace toile::simulation

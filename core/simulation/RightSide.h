@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/TriangleMesh.h"
+
+#include <span>
+#include <vector>
+
+namespace toile::simulation {
+
+/// Triangles that hang together by their edges: a garment, or one of several in a pattern.
+using ClothPart = std::vector<geometry::TriangleIndices>;
+
+/// The cloth in parts; triangles that merging made degenerate are left out.
+[[nodiscard]] std::vector<ClothPart> partsOf(std::span<const geometry::TriangleIndices> triangles);
+
+/// Which triangles to turn over so that neighbours run through their common edge in opposite directions, seen from the
+/// first triangle of the part. A part that is one-sided, as a Möbius band is, keeps edges where they do not.
+[[nodiscard]] std::vector<bool> turnedAgainstFirst(const ClothPart& part);
+
+/// The share of the area whose right side is the outside of the garment [–].
+///
+/// Each part is closed over its openings. The right side is out where the closed surface winds round what is just
+/// behind the cloth: once, and not round what is just before it, however deep the folds; more often where layers have
+/// passed through each other. What is inside out it winds round the other way, or not at all.
+[[nodiscard]] double rightSideOutShare(std::span<const geometry::TriangleIndices> triangles,
+                                       const std::vector<Vec3>& positions);
+
+} // namespace toile::simulation
