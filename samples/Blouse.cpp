@@ -135,7 +135,6 @@ document::Document blouse(const body::Measurements& m, const body::Body& body, c
           sewHalf("right", frontRight, positiveHalf(torso.back, "-right"), sleeveRight, cuffRight, sleeveDraft)})
         pattern.seams.insert(pattern.seams.end(), half.begin(), half.end());
     document.avatarFile = "bodies/mannequin.glb";
-    document.scene.damping = 1; // the back above the seat sways for long [1/s]
     return document;
 }
 

@@ -17,9 +17,6 @@ namespace {
 constexpr double deepOverlap = 0.001;
 /// Within which the normal force of the substeps is averaged [s].
 constexpr double forceMemory = 1.0 / 60;
-/// Friction of one iteration rests on at least this part of the normal force of the iteration before, so that
-/// a short Newton step, which leaves the contact behind for a moment, does not let the garment slide off [–].
-constexpr double keptNormalForce = 0.5;
 
 /// Gershgorin rows of what the samples add to M⁻¹K [1/s²]. Particles that have no sample of their own are
 /// carried by others; their mass is not known here.
@@ -93,21 +90,14 @@ double BodyContact::largestFrequencySquared() const {
 
 std::size_t BodyContact::bytes() const {
     return terms_.capacity() * sizeof(Term) + samples_.capacity() * sizeof(Sample) + tracker_.bytes() +
-           anchors_.capacity() * sizeof(Vec3) + touches_.capacity() * sizeof(Touch);
-}
-
-/// What has slipped further than friction gives drags its anchor behind it; what has not keeps it, and so
-/// sticks without creeping from step to step.
-void BodyContact::beginStep(const ParticleState& state, double) {
-    for (std::size_t s = 0; s < anchors_.size(); ++s) {
-        const Vec3 now = at(samples_[s], state.positions), slip = now - anchors_[s];
-        const double slipped = length(slip);
-        if (slipped > settings_.frictionGive) anchors_[s] = now - slip * (settings_.frictionGive / slipped);
-    }
+           (pushing_ ? sizeof(Pushing) + pushing_->distance.bytes() +
+                           pushing_->patches.capacity() * sizeof(collision::SmoothDistance::Patch) +
+                           pushing_->anchors.capacity() * sizeof(Vec3) + pushing_->near.capacity() * sizeof(int)
+                     : 0);
 }
 
 void BodyContact::project(Substep& substep) {
-    anchors_.clear();
+    if (pushing_) pushing_->anchors.clear();
     const double remembered = std::exp(-substep.duration / forceMemory);
     for (std::size_t s = 0; s < samples_.size(); ++s) {
         Sample& sample = samples_[s];
@@ -150,67 +140,6 @@ void BodyContact::resolve(Sample& sample, const collision::TangentPlane& plane, 
 
     const double force = std::max(lift, 0.0) / (mobility * substep.duration * substep.duration);
     sample.normalForce -= std::expm1(-substep.duration / forceMemory) * force;
-}
-
-void BodyContact::beginIteration(std::span<const Vec3> positions) {
-    const bool first = anchors_.empty();
-    if (first)
-        for (const Sample& sample : samples_) anchors_.push_back(at(sample, positions));
-    touches_.clear();
-    for (std::size_t s = 0; s < samples_.size(); ++s) {
-        Sample& sample = samples_[s];
-        const Vec3 now = at(sample, positions);
-        const auto* plane = tracker_.near(s, now, sample.distance + settings_.staticReach);
-        const double kept = sample.normalForce * (first ? 1 : keptNormalForce);
-        const double dent = plane ? sample.distance - plane->distance(now) : 0;
-        sample.normalForce = std::max({kept, sample.stiffness * dent, 0.0});
-        if (plane) touches_.push_back({static_cast<int>(s), *plane, sample.normalForce, anchors_[s]});
-    }
-}
-
-double BodyContact::energy(std::span<const Vec3> positions) const {
-    double sum = 0;
-    for (const Touch& touch : touches_) {
-        const Sample& sample = samples_[touch.sample];
-        const Vec3 now = at(sample, positions);
-        const double dent = std::max(0.0, sample.distance - touch.plane.distance(now));
-        const Vec3 slip = tangential(now - touch.anchor, touch.plane.normal);
-        sum += 0.5 * sample.stiffness * dent * dent +
-               sample.friction * touch.normalForce * smoothLength(length(slip), settings_.frictionGive);
-    }
-    return sum;
-}
-
-void BodyContact::addForces(std::span<const Vec3> positions, std::span<Vec3> forces) const {
-    for (const Touch& touch : touches_) {
-        const Sample& sample = samples_[touch.sample];
-        const Vec3 now = at(sample, positions);
-        const double dent = std::max(0.0, sample.distance - touch.plane.distance(now));
-        const Vec3 slip = tangential(now - touch.anchor, touch.plane.normal);
-        const double drag =
-            sample.friction * touch.normalForce * smoothSlopeOverLength(length(slip), settings_.frictionGive);
-        const Vec3 force = touch.plane.normal * (sample.stiffness * dent) - slip * drag;
-        for (const Term& term : termsOf(sample)) forces[term.particle] += force * term.weight;
-    }
-}
-
-void BodyContact::addHessian(std::span<const Vec3> positions, HessianSink& sink) const {
-    for (const Touch& touch : touches_) {
-        const Sample& sample = samples_[touch.sample];
-        const Vec3 now = at(sample, positions);
-        const bool pressed = touch.plane.distance(now) < sample.distance;
-        if (!pressed && touch.normalForce == 0) continue;
-        double whole[9] = {};
-        if (pressed) addOuter(whole, touch.plane.normal, sample.stiffness);
-        addFrictionCurvature(whole, tangential(now - touch.anchor, touch.plane.normal), touch.plane.normal,
-                             sample.friction * touch.normalForce, settings_.frictionGive);
-        for (const Term& i : termsOf(sample))
-            for (const Term& j : termsOf(sample)) {
-                double block[9];
-                for (int k = 0; k < 9; ++k) block[k] = i.weight * j.weight * whole[k];
-                sink.add(i.particle, j.particle, block);
-            }
-    }
 }
 
 ContactReport BodyContact::report(std::span<const Vec3> positions) const {

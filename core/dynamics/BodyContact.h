@@ -2,9 +2,12 @@
 #pragma once
 
 #include "core/cloth/ClothModel.h"
+#include "core/collision/SmoothDistance.h"
 #include "core/collision/SurfaceTracker.h"
 #include "core/dynamics/Stage.h"
 
+#include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -34,7 +37,9 @@ struct BodyContactSettings {
     double pushOutTime = 0.02;   ///< in which a small overlap falls to 1/e, so that cloth leaves without a jump [s]
     double planeReach = 0.00025; ///< a tangent plane stands for the surface over so short a way [m]
 
-    double stiffness = 2.5e7;   ///< of statics, k per mass of the sample [1/s²]: 500 Pa dent 0.2 mm into 0.1 kg/m²
+    double stiffness = 2.5e7;   ///< of statics, k per mass of the sample [1/s²]: 500 Pa dent 0.4 mm into 0.1 kg/m²
+    double onset = 5e-4;        ///< dent over which the push grows to that stiffness [m]
+    double lattice = 0.0025;    ///< of the smooth distance that statics sees [m]
     double frictionGive = 1e-4; ///< way over which statics builds friction up to μN [m]
     double staticReach = 0.02;  ///< how far ahead statics looks for contact in one iteration [m]
 };
@@ -59,13 +64,15 @@ public:
     void beginStep(const ParticleState& state, double duration) override;
     void project(Substep& substep) override;
 
-    /// Tangent planes and normal forces for the iteration; friction pulls back to anchors: where the samples were at
-    /// the first iteration after a position-based substep, dragged along by what slips in implicit and explicit steps.
+    /// Normal forces and directions that friction rests on. It pulls back to anchors: where the samples were at the
+    /// first call after a position-based substep, dragged along by what slips in implicit and explicit steps.
+    void fixFriction(std::span<const Vec3> positions) override;
+    /// Finds the samples that may touch in the iteration.
     void beginIteration(std::span<const Vec3> positions) override;
     [[nodiscard]] double energy(std::span<const Vec3> positions) const override;
     void addForces(std::span<const Vec3> positions, std::span<Vec3> forces) const override;
     void addHessian(std::span<const Vec3> positions, HessianSink& sink) const override;
-    /// All samples pressed at once, dented by at most 0.4 mm (1000 Pa on 0.1 kg/m²): friction is as stiff as that.
+    /// All samples pressed at once, dented by at most 0.4 mm (500 Pa on 0.1 kg/m²): friction is as stiff as that.
     [[nodiscard]] double largestFrequencySquared() const override;
 
     /// Asks the body for every sample: for reports, not for every step.
@@ -85,14 +92,15 @@ private:
         double distance = 0;    ///< to be kept [m]
         double friction = 0;    ///< [–]
         double stiffness = 0;   ///< [N/m]
-        double normalForce = 0; ///< running mean of the substeps, then lagged by one iteration [N]
+        double normalForce = 0; ///< running mean of the substeps, then as friction was fixed [N]
+        Vec3 normal;            ///< of the body, where friction was fixed
     };
-    /// A sample that may touch in this iteration.
-    struct Touch {
-        int sample = 0;
-        collision::TangentPlane plane;
-        double normalForce = 0; ///< [N]
-        Vec3 anchor;            ///< where the sample was at the start of the solve [m]
+    /// What only statics, implicit and explicit steps need; the first of them makes it.
+    struct Pushing {
+        collision::SmoothDistance distance;
+        std::vector<collision::SmoothDistance::Patch> patches; ///< one per sample
+        std::vector<Vec3> anchors; ///< one per sample; empty until friction is fixed after a position-based substep
+        std::vector<int> near;     ///< samples that may touch in this iteration
     };
 
     [[nodiscard]] std::span<const Term> termsOf(const Sample& sample) const {
@@ -107,14 +115,15 @@ private:
     }
     void resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now, const Vec3& before,
                  Substep& substep) const;
+    [[nodiscard]] std::optional<collision::SmoothValue> dentingAt(int sample, const Vec3& now) const;
+    [[nodiscard]] Vec3 slipOf(int sample, const Vec3& now) const;
 
     BodyContactSettings settings_;
     std::vector<Term> terms_;
     std::vector<Sample> samples_;
     double frequencySquared_ = 0; ///< [1/s²]
     collision::SurfaceTracker tracker_;
-    std::vector<Vec3> anchors_; ///< empty until the first iteration after a position-based substep
-    std::vector<Touch> touches_;
+    std::unique_ptr<Pushing> pushing_;
 };
 
 } // namespace toile::dynamics

@@ -76,6 +76,7 @@ void Integrator::accelerationsAt(std::span<const Vec3> positions, const Vec3& gr
     forces_.assign(positions.size(), {});
     cloth::addForces(model_, positions, forces_);
     for (Stage* stage : stages) {
+        stage->fixFriction(positions);
         stage->beginIteration(positions);
         stage->addForces(positions, forces_);
     }

@@ -16,6 +16,9 @@ namespace {
 
 constexpr double standardGravity = 9.81; ///< [m/s²]; scale of residuals where there is no gravity
 
+/// Friction is fixed anew when the residual has fallen to this part of what it was then [–].
+constexpr double frictionEvery = 0.1;
+
 /// Hands blocks of particles to the unknowns that move them.
 class EliminatingSink : public HessianSink {
 public:
@@ -308,23 +311,32 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, c
     double bestResidual = std::numeric_limits<double>::infinity(), firstResidual = 0;
     double lastResidual = 0;
     int failures = 0;
+    for (Stage* stage : stages_) stage->fixFriction(x);
+    bool fresh = true;        // friction rests on the forces of here
+    double freshResidual = 0; // where it last did
     for (;; ++out.iterations) {
         if (stop.stop_requested())
             return fail(ErrorCode::cancelled,
                         inertia_ > 0 ? "The step was stopped." : "The static solution was stopped.");
         for (Stage* stage : stages_) stage->beginIteration(x);
-        const Measured now = measuredAt(x);
+        Measured now = measuredAt(x);
+        adaptShift(now.energy);
+        if (!fresh && now.largest / scale <= std::max(goal, frictionEvery * freshResidual)) {
+            for (Stage* stage : stages_) stage->fixFriction(x);
+            now = measuredAt(x);
+            fresh = true;
+        }
         if (!allFinite(now.forces) || !std::isfinite(now.energy))
             return fail(ErrorCode::notConverged, fmt::format("The force on particle {} is no number in iteration {}.",
                                                              now.worst, out.iterations));
-        adaptShift(now.energy);
         const double residual = now.largest / scale;
+        if (fresh) freshResidual = residual;
         if (residual < bestResidual) {
             bestResidual = residual;
             best.assign(x.begin(), x.end());
             out.worstParticle = now.worst;
         }
-        if (residual <= goal) break;
+        if (fresh && residual <= goal) break;
         if (out.iterations == settings_.maximumIterations || failures > 10) break;
         if (out.iterations == 0) firstResidual = residual;
         if (inertia_ == 0)
@@ -340,6 +352,7 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, c
         log.inertia = inertia_ + shift_;
         if (allFinite(*step) && advance(x, now, std::move(*step), log)) {
             failures = 0;
+            fresh = false;
         } else {
             ++failures;
             shift_ = std::max(16 * shift_, 1e-3 * levenberg_);
@@ -353,6 +366,7 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, c
 }
 
 Result<void> Run::iterateOnce(std::span<Vec3> x) {
+    for (Stage* stage : stages_) stage->fixFriction(x);
     for (Stage* stage : stages_) stage->beginIteration(x);
     const Measured now = measuredAt(x);
     if (!allFinite(now.forces))

@@ -44,7 +44,10 @@ public:
     /// Once in every position-based substep, after the cloth's own sweep.
     virtual void project(Substep& substep) = 0;
 
-    /// Once before every Newton iteration: fixes the active set, lagged normals and friction.
+    /// Before the first Newton iteration, and again whenever the forces nearly balance: takes the normal forces that
+    /// friction rests on. Between two calls the energy is one function of the positions.
+    virtual void fixFriction(std::span<const Vec3> positions) { static_cast<void>(positions); }
+    /// Once before every Newton iteration: finds what may act in it.
     virtual void beginIteration(std::span<const Vec3> positions) = 0;
     [[nodiscard]] virtual double energy(std::span<const Vec3> positions) const = 0;
     virtual void addForces(std::span<const Vec3> positions, std::span<Vec3> forces) const = 0;

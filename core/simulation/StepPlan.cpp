@@ -21,6 +21,9 @@ public:
     void project(dynamics::Substep& substep) override {
         timed([&] { stage_->project(substep); });
     }
+    void fixFriction(std::span<const Vec3> positions) override {
+        timed([&] { stage_->fixFriction(positions); });
+    }
     void beginIteration(std::span<const Vec3> positions) override {
         timed([&] { stage_->beginIteration(positions); });
     }

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Contact with the body as an energy, for methods that solve or sum forces: statics, implicit and explicit steps.
+#include "core/dynamics/BodyContact.h"
+#include "core/dynamics/Friction.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+namespace toile::dynamics {
+namespace {
+
+/// The energy ½k·dent² of a spring with a soft beginning: its stiffness grows from 0 to k over the onset. Contact that
+/// begins or ends in an iteration makes no force jump.
+struct Push {
+    double energy = 0, force = 0, stiffness = 0;
+};
+
+Push pushOf(double dent, double k, double onset) {
+    if (dent <= 0) return {};
+    if (dent < onset) return {k * dent * dent * dent / (6 * onset), k * dent * dent / (2 * onset), k * dent / onset};
+    const double beyond = dent - onset;
+    return {k * (onset * onset / 6 + beyond * onset / 2 + beyond * beyond / 2), k * (onset / 2 + beyond), k};
+}
+
+/// Adds what the turning of the push does where the body is hollow. On its round parts it would take stiffness away and
+/// is left out: the Hessian stays positive.
+void addTurning(double (&block)[9], double force, const double (&curvature)[9]) {
+    using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    const Matrix turning = -force * Eigen::Map<const Matrix>(curvature);
+    const Eigen::SelfAdjointEigenSolver<Matrix> solver(turning);
+    for (int k = 0; k < 3; ++k) {
+        const auto axis = solver.eigenvectors().col(k);
+        if (solver.eigenvalues()[k] > 0) addOuter(block, {axis[0], axis[1], axis[2]}, solver.eigenvalues()[k]);
+    }
+}
+
+} // namespace
+
+/// What has slipped further than friction gives drags its anchor behind it; what has not keeps it, and so
+/// sticks without creeping from step to step.
+void BodyContact::beginStep(const ParticleState& state, double) {
+    if (!pushing_) return;
+    for (std::size_t s = 0; s < pushing_->anchors.size(); ++s) {
+        Vec3& anchor = pushing_->anchors[s];
+        const Vec3 now = at(samples_[s], state.positions), slip = now - anchor;
+        const double slipped = length(slip);
+        if (slipped > settings_.frictionGive) anchor = now - slip * (settings_.frictionGive / slipped);
+    }
+}
+
+void BodyContact::fixFriction(std::span<const Vec3> positions) {
+    if (!pushing_)
+        pushing_.reset(new Pushing{collision::SmoothDistance(tracker_.body(), settings_.lattice),
+                                   std::vector<collision::SmoothDistance::Patch>(samples_.size()),
+                                   {},
+                                   {}});
+    const bool first = pushing_->anchors.empty(); // the mean force of the substeps is better than that of one place
+    for (int s = 0; s < static_cast<int>(samples_.size()); ++s) {
+        Sample& sample = samples_[s];
+        const Vec3 now = at(sample, positions);
+        if (first) pushing_->anchors.push_back(now);
+        const bool remembered = first && sample.normalForce > 0;
+        if (tracker_.near(s, now, sample.distance + settings_.lattice) == nullptr && !remembered) {
+            sample.normalForce = 0;
+            continue;
+        }
+        const auto surface = pushing_->distance.at(now, pushing_->patches[s]);
+        sample.normal = normalized(surface.gradient);
+        if (!first)
+            sample.normalForce = pushOf(sample.distance - surface.value, sample.stiffness, settings_.onset).force *
+                                 length(surface.gradient);
+    }
+}
+
+void BodyContact::beginIteration(std::span<const Vec3> positions) {
+    pushing_->near.clear();
+    for (int s = 0; s < static_cast<int>(samples_.size()); ++s) {
+        const Sample& sample = samples_[s];
+        const double reach = sample.distance + settings_.staticReach;
+        if (tracker_.near(s, at(sample, positions), reach) != nullptr || sample.normalForce > 0)
+            pushing_->near.push_back(s);
+    }
+}
+
+/// The smooth distance of a sample to the body, if it is too small. Remembers on the way which nodes it rests on.
+std::optional<collision::SmoothValue> BodyContact::dentingAt(int s, const Vec3& now) const {
+    const double kept = samples_[s].distance;
+    if (tracker_.stillFar(s, now, kept + settings_.lattice)) return std::nullopt;
+    const auto surface = pushing_->distance.at(now, pushing_->patches[s]);
+    return surface.value < kept ? std::optional(surface) : std::nullopt;
+}
+
+Vec3 BodyContact::slipOf(int s, const Vec3& now) const {
+    return tangential(now - pushing_->anchors[s], samples_[s].normal);
+}
+
+double BodyContact::energy(std::span<const Vec3> positions) const {
+    double sum = 0;
+    for (const int s : pushing_->near) {
+        const Sample& sample = samples_[s];
+        const Vec3 now = at(sample, positions);
+        if (const auto surface = dentingAt(s, now))
+            sum += pushOf(sample.distance - surface->value, sample.stiffness, settings_.onset).energy;
+        if (sample.normalForce > 0)
+            sum += sample.friction * sample.normalForce * smoothLength(length(slipOf(s, now)), settings_.frictionGive);
+    }
+    return sum;
+}
+
+void BodyContact::addForces(std::span<const Vec3> positions, std::span<Vec3> forces) const {
+    for (const int s : pushing_->near) {
+        const Sample& sample = samples_[s];
+        const Vec3 now = at(sample, positions);
+        Vec3 force;
+        if (const auto surface = dentingAt(s, now))
+            force +=
+                surface->gradient * pushOf(sample.distance - surface->value, sample.stiffness, settings_.onset).force;
+        if (sample.normalForce > 0) {
+            const Vec3 slip = slipOf(s, now);
+            force -= slip * (sample.friction * sample.normalForce *
+                             smoothSlopeOverLength(length(slip), settings_.frictionGive));
+        }
+        for (const Term& term : termsOf(sample)) forces[term.particle] += force * term.weight;
+    }
+}
+
+void BodyContact::addHessian(std::span<const Vec3> positions, HessianSink& sink) const {
+    for (const int s : pushing_->near) {
+        const Sample& sample = samples_[s];
+        const Vec3 now = at(sample, positions);
+        const auto surface = dentingAt(s, now);
+        if (!surface && sample.normalForce == 0) continue;
+        double whole[9] = {};
+        if (surface) {
+            const Push push = pushOf(sample.distance - surface->value, sample.stiffness, settings_.onset);
+            addOuter(whole, surface->gradient, push.stiffness);
+            addTurning(whole, push.force, surface->hessian);
+        }
+        if (sample.normalForce > 0)
+            addFrictionCurvature(whole, slipOf(s, now), sample.normal, sample.friction * sample.normalForce,
+                                 settings_.frictionGive);
+        for (const Term& i : termsOf(sample))
+            for (const Term& j : termsOf(sample)) {
+                double block[9];
+                for (int k = 0; k < 9; ++k) block[k] = i.weight * j.weight * whole[k];
+                sink.add(i.particle, j.particle, block);
+            }
+    }
+}
+
+} // namespace toile::dynamics
