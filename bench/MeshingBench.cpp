@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/Calibration.h"
 #include "core/io/DocumentFile.h"
 #include "core/simulation/Garment.h"
 #include "core/simulation/MeshInputOf.h"
+#include "core/study/Calibration.h"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
@@ -46,7 +46,7 @@ std::uint64_t hashOf(const meshing::PieceMesh& mesh) {
 }
 
 double calibration() {
-    static const double seconds = calibrationSeconds();
+    static const double seconds = study::calibrationSeconds();
     return seconds;
 }
 
@@ -71,9 +71,9 @@ void meshBlouseBack(benchmark::State& state, bool cold) {
             mesh = Result<meshing::GarmentMesh>();
             malloc_trim(0); // the next run takes its memory from the system anew
         }
-        const double start = threadSeconds();
+        const double start = study::threadSeconds();
         mesh = meshing::meshGarment(input, {.judged = false});
-        const double used = threadSeconds() - start;
+        const double used = study::threadSeconds() - start;
         state.SetIterationTime(used);
         seconds += used;
     }
@@ -114,10 +114,10 @@ void millionCellsMeshed(benchmark::State& state) {
     Result<meshing::GarmentMesh> mesh = meshing::meshGarment(*input);
     double seconds = 0;
     for (auto _ : state) {
-        const double start = threadSeconds();
+        const double start = study::threadSeconds();
         mesh = meshing::meshGarment(*input, {.judged = false});
-        state.SetIterationTime(threadSeconds() - start);
-        seconds += threadSeconds() - start;
+        state.SetIterationTime(study::threadSeconds() - start);
+        seconds += study::threadSeconds() - start;
     }
     report(state, *meshing::meshGarment(*input), seconds);
 }
@@ -132,11 +132,11 @@ void millionCellsWithElements(benchmark::State& state) {
     const auto input = simulation::meshInputOf(pattern);
     double seconds = 0, bytes = 0;
     for (auto _ : state) {
-        const double start = threadSeconds();
+        const double start = study::threadSeconds();
         auto mesh = meshing::meshGarment(*input, {.judged = false});
         const double meshBytes = static_cast<double>(mesh->report.total.bytes);
         const auto garment = simulation::makeGarment(pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), {});
-        const double used = threadSeconds() - start;
+        const double used = study::threadSeconds() - start;
         if (!garment) std::abort();
         const cloth::ClothModel& model = garment->model;
         bytes = meshBytes + bytesOf(model.mass) + bytesOf(model.structural) + bytesOf(model.shear) +

@@ -54,6 +54,15 @@ struct AvatarOptions {
 };
 [[nodiscard]] int avatar(const AvatarOptions& options);
 
+struct StudyOptions {
+    std::vector<std::string> cases; ///< scenes by name; empty = all
+    bool full = false;              ///< finer and longer
+    std::string out;                ///< folder of the report
+    bool quiet = false;
+};
+/// Error against run time of the methods on the built-in scenes.
+[[nodiscard]] int studyAccuracy(const StudyOptions& options, std::stop_token stop);
+
 struct InspectOptions {
     std::string file;
     bool json = false;

@@ -13,6 +13,7 @@ using batch::ConvertOptions;
 using batch::InspectOptions;
 using batch::MeshOptions;
 using batch::SewOptions;
+using batch::StudyOptions;
 
 constexpr double millimetre = 0.001;
 
@@ -159,6 +160,19 @@ void declareConvert(CLI::App& app, std::function<int()>& chosen) {
     command->callback([options, &chosen] { chosen = [options] { return batch::convert(*options); }; });
 }
 
+void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
+    auto* study = app.add_subcommand("study", "measure how wrong results are, and what they cost");
+    study->require_subcommand(1);
+    auto* accuracy = study->add_subcommand("accuracy", "error against run time of the methods on built-in scenes");
+    auto options = std::make_shared<StudyOptions>();
+    accuracy->add_option("CASE", options->cases, "oscillator, flap, two-corners; all if none is named");
+    accuracy->add_flag("--full,!--quick", options->full, "32 cells a side and the stiffest cloth too; else 16");
+    accuracy->add_option("--out", options->out, "folder of report.md, results.jsonl and pictures")->required();
+    accuracy->add_flag("--quiet", options->quiet, "no progress");
+    accuracy->callback(
+        [options, stop, &chosen] { chosen = [options, stop] { return batch::studyAccuracy(*options, stop); }; });
+}
+
 } // namespace
 
 void declareCommands(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
@@ -168,6 +182,7 @@ void declareCommands(CLI::App& app, std::stop_token stop, std::function<int()>& 
     declareAvatar(app, chosen);
     declareInspect(app, chosen);
     declareConvert(app, chosen);
+    declareStudy(app, stop, chosen);
 }
 
 } // namespace toile::cli

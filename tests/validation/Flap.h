@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/dynamics/Method.h"
+#include "core/study/Scenes.h"
 #include "tests/cloth/Fixtures.h"
 
 namespace toile::fixtures {
@@ -14,24 +15,10 @@ struct Flap {
 
 constexpr double flapDamping = 0.5; ///< drag of the air [1/s]
 
-/// cells: along a side; factor: of the stiffness 50 N/m in C11 and C22, of which C12 and the shear stiffness
-/// are a tenth. 0.2 kg/m², bending stiffness 5e-5 N·m without twist.
+/// cells: along a side; factor: of the stiffness 50 N/m.
 inline Flap flap(int cells, double factor) {
-    Fabric fabric;
-    fabric.name = "flap";
-    fabric.arealDensity = 0.2;
-    const double modulus = 50 * factor, shear = modulus / 10;
-    fabric.warpStiffness = fabric.weftStiffness = modulus - shear * shear / modulus; // uniaxial
-    fabric.shearStiffness = shear;
-    fabric.warpBending = fabric.weftBending = 5e-5;
-    fabric.biasBending = 2.5e-5;
-    const Patch patch = gridPatch(evenLines(1, cells), evenLines(1, cells));
-    Flap f;
-    if (!cloth::appendPatch(f.model, patch, fabric)) return f;
-    for (int i = 0; i <= cells; ++i) f.model.pinned.push_back(i);
-    for (const Vec2& m : patch.material) f.state.positions.push_back({m.x, 0, m.y});
-    f.state.velocities.resize(f.state.positions.size());
-    return f;
+    study::Scene scene = *study::sceneNamed("flap", {cells, factor});
+    return {std::move(scene.model), std::move(scene.start)};
 }
 
 /// Mass-weighted root mean square of the distances [m].

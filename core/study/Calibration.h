@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace toile::bench {
+namespace toile::study {
 
 /// CPU time of this thread [s].
 [[nodiscard]] double threadSeconds();
@@ -10,4 +10,4 @@ namespace toile::bench {
 /// another machine too.
 [[nodiscard]] double calibrationSeconds();
 
-} // namespace toile::bench
+} // namespace toile::study

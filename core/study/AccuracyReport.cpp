@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/AccuracyReport.h"
+
+#include "core/study/Front.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+#include <limits>
+#include <map>
+
+namespace toile::study {
+namespace {
+
+using dynamics::Method;
+
+constexpr double wantedError = 0.001; ///< the report says what a millimetre costs [m]
+
+/// Runs that may be compared: they ran to the end, were solved, and stand above the reference's own error.
+bool counts(const RunResult& run) {
+    return run.failure.empty() && run.solved && !run.inBand && std::isfinite(run.error.maximum);
+}
+
+std::string statusOf(const RunResult& run) {
+    if (!run.failure.empty()) return run.failure;
+    if (!run.solved) return "not solved";
+    if (run.inBand) return "in the band";
+    return run.noisy ? "noisy" : "";
+}
+
+std::vector<const RunResult*> countedRuns(const CaseResult& result) {
+    std::vector<const RunResult*> runs;
+    for (const RunResult& run : result.runs)
+        if (counts(run)) runs.push_back(&run);
+    return runs;
+}
+
+std::vector<CostError> pointsOf(const std::vector<const RunResult*>& runs) {
+    std::vector<CostError> points;
+    for (const RunResult* run : runs) points.push_back({run->secondsLeast, run->error.maximum});
+    return points;
+}
+
+std::vector<const RunResult*> frontOf(const CaseResult& result) {
+    const auto runs = countedRuns(result);
+    std::vector<const RunResult*> front;
+    for (const int i : paretoFront(pointsOf(runs))) front.push_back(runs[static_cast<std::size_t>(i)]);
+    return front;
+}
+
+std::map<Method, std::vector<const RunResult*>> byMethod(const std::vector<const RunResult*>& runs) {
+    std::map<Method, std::vector<const RunResult*>> methods;
+    for (const RunResult* run : runs) methods[run->setup.method].push_back(run);
+    return methods;
+}
+
+std::string titleOf(const CaseResult& result) {
+    if (result.scene.name == "oscillator") return "oscillator";
+    return fmt::format("{}, {} × {} cells, {:g} N/m", result.scene.name, result.cells, result.cells,
+                       result.scene.stiffness);
+}
+
+void appendTable(std::string& text, const CaseResult& result, double calibration) {
+    const auto front = frontOf(result);
+    fmt::format_to(std::back_inserter(text),
+                   "| method | step ms | error mm | at the end mm | CPU s/s | in calibrations | parts | Newton | factors | "
+                   "CG | energy % | front | |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const RunResult& run : result.runs) {
+        const bool onFront = std::ranges::find(front, &run) != front.end();
+        fmt::format_to(std::back_inserter(text),
+                       "| {} | {:.4g} | {:.4g} | {:.4g} | {:.4g} | {:.3g} | {} | {} | {} | {} | {:.2g} | {} | {} |\n",
+                       dynamics::nameOf(run.setup.method), 1e3 * run.step, 1e3 * run.error.maximum, 1e3 * run.error.rms,
+                       run.secondsLeast, run.secondsLeast / calibration, run.report.parts, run.report.newtonIterations,
+                       run.report.factorizations, run.report.gradientIterations, 100 * run.energyChange,
+                       onFront ? "●" : "", statusOf(run));
+    }
+}
+
+void appendOrders(std::string& text, const CaseResult& result) {
+    fmt::format_to(std::back_inserter(text), "\n| method | observed order | CPU s/s for 1 mm |\n|---|---|---|\n");
+    for (const auto& [method, runs] : byMethod(countedRuns(result))) {
+        std::vector<double> steps, errors;
+        for (const RunResult* run : runs) {
+            steps.push_back(run->step);
+            errors.push_back(run->error.maximum);
+        }
+        const double order = observedOrder(steps, errors), cost = costOf(wantedError, pointsOf(runs));
+        fmt::format_to(std::back_inserter(text), "| {} | {} | {} |\n", dynamics::nameOf(method),
+                       std::isfinite(order) ? fmt::format("{:.2f}", order) : "–",
+                       std::isfinite(cost) ? fmt::format("{:.4g}", cost) : "not reached");
+    }
+}
+
+/// What may be said, and what may not.
+void appendConclusion(std::string& text, const CaseResult& result) {
+    const auto runs = countedRuns(result);
+    const auto noisy = std::ranges::count_if(runs, [](const RunResult* run) { return run->noisy; });
+    text += '\n';
+    if (noisy > 0) {
+        fmt::format_to(std::back_inserter(text),
+                       "**No conclusion about cost**: {} of {} runs took over 1.3 times their least time in the median. Run "
+                       "it again on a machine that does nothing else.\n\n",
+                       noisy, runs.size());
+        return;
+    }
+    std::pair<double, std::string> cheapest{std::numeric_limits<double>::infinity(), ""};
+    for (const auto& [method, of] : byMethod(runs))
+        if (const double cost = costOf(wantedError, pointsOf(of)); cost < cheapest.first)
+            cheapest = {cost, std::string(dynamics::nameOf(method))};
+    if (cheapest.second.empty()) text += "No method came within 1 mm.\n\n";
+    else
+        fmt::format_to(std::back_inserter(text), "A millimetre is cheapest by {}: {:.3g} CPU s per simulated second.\n\n",
+                       cheapest.second, cheapest.first);
+}
+
+} // namespace
+
+std::string fileNameOf(const CaseResult& result) {
+    return result.scene.name == "oscillator" ? result.scene.name
+                                             : fmt::format("{}-{:g}", result.scene.name, result.stiffnessFactor);
+}
+
+std::vector<Json> recordsOf(const CaseResult& result, const Circumstances& circumstances) {
+    const auto& model = result.scene.model;
+    Json scene, springs, reference;
+    springs.set("structural", model.structural.size()).set("shear", model.shear.size());
+    springs.set("bending", model.bending.size()).set("twist", model.twist.size());
+    scene.set("name", result.scene.name).set("particles", model.particleCount()).set("springs", springs);
+    scene.set("stiffness", result.scene.stiffness).set("duration", result.scene.duration);
+    scene.set("explicitStepLimit", stepLimitOf(result.scene, Method::symplecticEuler));
+    reference.set("method", std::string(dynamics::nameOf(result.reference.setup.method)));
+    reference.set("step", result.scene.duration / result.reference.setup.steps);
+    reference.set("selfError", result.reference.selfError);
+    std::vector<Json> records;
+    for (const RunResult& run : result.runs) {
+        Json method, outcome, cost, machine, record;
+        method.set("integrator", std::string(dynamics::nameOf(run.setup.method))).set("step", run.step);
+        method.set("substeps", run.setup.substeps).set("tolerance", run.setup.tolerance).set("threads", 1);
+        if (run.failure.empty())
+            outcome.set("rmsError", run.error.rms).set("maximumError", run.error.maximum).set("inBand", run.inBand);
+        outcome.set("energyRelativeError", run.energyChange);
+        cost.set("cpuSecondsMinimum", run.secondsLeast).set("cpuSecondsMedian", run.secondsMedian);
+        cost.set("parts", run.report.parts).set("newtonIterations", run.report.newtonIterations);
+        cost.set("solves", run.report.factorizations).set("cgIterations", run.report.gradientIterations);
+        cost.set("rejectedSteps", run.report.repeated);
+        machine.set("processor", circumstances.processor).set("calibrationSeconds", circumstances.calibration);
+        record.set("schema", "toile-study-1").set("program", circumstances.program).set("machine", machine);
+        record.set("scene", scene).set("method", method).set("reference", reference).set("result", outcome);
+        record.set("cost", cost).set("status", run.failure.empty() && run.solved ? "done" : statusOf(run));
+        records.push_back(std::move(record));
+    }
+    return records;
+}
+
+std::string accuracyText(const std::vector<CaseResult>& results, const Circumstances& circumstances) {
+    std::string text;
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out,
+                   "# Error against run time\n\n`{}`, {}, {}. One *calibration*, a loop over a million spring forces, takes "
+                   "{:.3g} ms.\n\n"
+                   "The error is the largest mass-weighted root mean square distance to the reference over {} times, on the "
+                   "same mesh: what the division of time costs, and nothing else. A run *in the band* is nearer to the "
+                   "reference than three times the reference's own error, and no order or cost is read from it. Times are "
+                   "the least of interleaved repetitions on one thread. ● is on the front: no run is both cheaper and nearer.\n",
+                   circumstances.command, circumstances.program, circumstances.processor,
+                   1e3 * circumstances.calibration, sampleCount);
+    for (const CaseResult& result : results) {
+        fmt::format_to(out,
+                       "\n## {}\n\n{} particles, {:g} s. Reference: {} at {:.3g} ms, own error {:.2g} mm.\n\n![error "
+                       "against run time]({}.svg)\n\n",
+                       titleOf(result), result.scene.model.particleCount(), result.scene.duration,
+                       dynamics::nameOf(result.reference.setup.method),
+                       1e3 * result.scene.duration / result.reference.setup.steps, 1e3 * result.reference.selfError,
+                       fileNameOf(result));
+        appendTable(text, result, circumstances.calibration);
+        appendOrders(text, result);
+        appendConclusion(text, result);
+    }
+    return text;
+}
+
+std::string gnuplotScript(const CaseResult& result, double calibration) {
+    const auto methods = byMethod(countedRuns(result));
+    std::string text;
+    const auto out = std::back_inserter(text);
+    const auto block = [&](const std::string& name, const std::vector<const RunResult*>& runs) {
+        fmt::format_to(out, "${} << EOD\n", name);
+        for (const RunResult* run : runs)
+            fmt::format_to(out, "{:.6g} {:.6g} {:.3g}\n", run->secondsLeast / calibration, 1e3 * run->error.maximum,
+                           1e3 * run->step);
+        fmt::format_to(out, "EOD\n");
+    };
+    int number = 0;
+    for (const auto& [method, runs] : methods) block(fmt::format("method{}", number++), runs);
+    block("front", frontOf(result));
+    const double band = 1e3 * result.reference.selfError;
+    fmt::format_to(out,
+                   "set logscale xy\nset format x '10^{{%L}}'\nset format y '10^{{%L}}'\nset grid\nset key outside right\n"
+                   "set title '{}' noenhanced\nset xlabel 'CPU time of a simulated second, in calibrations'\n"
+                   "set ylabel 'largest rms distance to the reference, mm'\n",
+                   titleOf(result));
+    if (band > 0)
+        fmt::format_to(out,
+                       "set object rectangle from graph 0, graph 0 to graph 1, first {:.6g} fillcolor rgb '#dddddd' "
+                       "fillstyle solid noborder behind\n",
+                       3 * band);
+    const std::array<std::pair<const char*, const char*>, 2> formats{
+        {{"svg size 900,560 dynamic background rgb 'white' font 'DejaVu Sans,13'", "svg"},
+         {"pngcairo size 1200,760 font 'DejaVu Sans,13'", "png"}}};
+    for (const auto& [terminal, extension] : formats) {
+        fmt::format_to(out, "set terminal {}\nset output '{}.{}'\nplot \\\n", terminal, fileNameOf(result), extension);
+        number = 0;
+        for (const auto& [method, runs] : methods) {
+            fmt::format_to(out, "  $method{} using 1:2 with linespoints pointtype {} linewidth 1.5 title '{}', \\\n", number,
+                           number + 4, dynamics::nameOf(method));
+            ++number;
+        }
+        fmt::format_to(out, "  $front using 1:2 with lines linecolor 'black' dashtype 2 linewidth 2 title 'front'\n");
+    }
+    return text;
+}
+
+} // namespace toile::study

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/Program.h"
+
+using namespace toile;
+
+class tst_StudyCommand : public QObject {
+    Q_OBJECT
+private slots:
+    void aStudyLeavesItsReport();
+    void aSceneThatIsNotThereIsSaid();
+};
+
+void tst_StudyCommand::aStudyLeavesItsReport() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("study");
+    const Finished finished = run({"study", "accuracy", "oscillator", "--quiet", "--out", out});
+    QCOMPARE(finished.err, QString());
+    QCOMPARE(finished.status, 0);
+    const QString report = QString::fromUtf8(contentOf(out + "/report.md"));
+    QVERIFY(report.contains("## oscillator"));
+    QVERIFY(report.contains("`toile-cli study accuracy oscillator --quick --out " + out + "`"));
+    const auto lines = contentOf(out + "/results.jsonl").split('\n');
+    QCOMPARE(lines.size(), 38 + 1); // the last ends with a line end
+    for (const QByteArray& line : lines.first(38)) QVERIFY(jsonOf(line).find("result"));
+    QVERIFY(!contentOf(out + "/oscillator.gp").isEmpty());
+    QCOMPARE(contentOf(out + "/oscillator.svg").isEmpty(), finished.out.contains("without pictures"));
+}
+
+void tst_StudyCommand::aSceneThatIsNotThereIsSaid() {
+    const QTemporaryDir folder;
+    const Finished finished = run({"study", "accuracy", "skirt", "--out", folder.filePath("study")});
+    QCOMPARE(finished.status, 1);
+    QCOMPARE(finished.err, QString("There is no scene \"skirt\"; there are oscillator, flap, two-corners.\n"));
+    QVERIFY(!QFile::exists(folder.filePath("study")));
+}
+
+QTEST_APPLESS_MAIN(tst_StudyCommand)
+#include "tst_StudyCommand.moc"

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/AccuracyReport.h"
+
+#include <QtTest>
+#include <cmath>
+
+using namespace toile;
+using dynamics::Method;
+using study::Setup;
+
+namespace {
+
+study::Scene oscillator() {
+    return *study::sceneNamed("oscillator", {});
+}
+
+/// A kilogram on 100 N/m, pulled out by 0.1 m.
+double oscillatorAt(double time) {
+    return 1 + 0.1 * std::cos(10 * time);
+}
+
+study::CaseResult studiedCase(const std::vector<Setup>& setups) {
+    auto result = study::studied({"flap", {.cells = 4}, setups}, 2);
+    if (!result) qFatal("%s", toString(result.error()).c_str());
+    return std::move(*result);
+}
+
+const study::Circumstances here{"toile-cli 0 (test)", "toile-cli study accuracy", "a processor", 0.004};
+
+} // namespace
+
+class tst_Accuracy : public QObject {
+    Q_OBJECT
+private slots:
+    void samplesLieAtEvenTimes();
+    void theReferenceOfTheOscillatorIsTheClosedForm();
+    void methodsShowTheirOrder_data();
+    void methodsShowTheirOrder();
+    void nothingIsReadFromWhatLiesInTheBand();
+    void aRunThatFailsIsSaidAndTheOthersGoOn();
+    void whatIsNoSceneIsSaid();
+    void itCanBeStopped();
+    void everyPlannedSceneIsBuilt();
+    void recordsHoldNumbersOrReasons();
+};
+
+void tst_Accuracy::samplesLieAtEvenTimes() {
+    const auto scene = oscillator();
+    const auto trajectory = study::trajectoryOf(scene, {Method::rk4, 2000});
+    QVERIFY(trajectory);
+    QCOMPARE(static_cast<int>(trajectory->samples.size()), study::sampleCount);
+    for (int k = 0; k < study::sampleCount; ++k) {
+        const double time = scene.duration * (k + 1) / study::sampleCount;
+        QVERIFY(std::abs(trajectory->samples[k][1].x - oscillatorAt(time)) < 1e-9);
+    }
+    QVERIFY(std::abs(trajectory->energyChange) < 1e-9);
+}
+
+void tst_Accuracy::theReferenceOfTheOscillatorIsTheClosedForm() {
+    const auto result = study::studied({"oscillator", {}, {{Method::midpoint, 40}}}, 1);
+    QVERIFY(result);
+    const Vec3 end = result->reference.trajectory.samples.back()[1];
+    QVERIFY(std::abs(end.x - oscillatorAt(1)) < 2 * result->reference.selfError);
+    QVERIFY(result->reference.selfError < 1e-6);
+}
+
+void tst_Accuracy::methodsShowTheirOrder_data() {
+    QTest::addColumn<int>("method");
+    QTest::addColumn<double>("order");
+    QTest::newRow("TR-BDF2 is of second order") << static_cast<int>(Method::trBdf2) << 2.0;
+    QTest::newRow("midpoint is of second order") << static_cast<int>(Method::midpoint) << 2.0;
+    QTest::newRow("BDF2 is of second order") << static_cast<int>(Method::bdf2) << 2.0;
+    QTest::newRow("backward Euler is of first order") << static_cast<int>(Method::backwardEuler) << 1.0;
+}
+
+void tst_Accuracy::methodsShowTheirOrder() {
+    QFETCH(int, method);
+    QFETCH(double, order);
+    const auto scene = oscillator();
+    const auto exact = study::trajectoryOf(scene, {Method::rk4, 4000});
+    QVERIFY(exact);
+    double errors[2];
+    for (int i = 0; i < 2; ++i) {
+        const auto run = study::trajectoryOf(scene, {static_cast<Method>(method), 1000 << i, 1, 1e-10});
+        QVERIFY(run);
+        errors[i] = study::differenceOf(scene, *run, *exact).maximum;
+    }
+    QVERIFY(std::abs(std::log2(errors[0] / errors[1]) - order) < 0.1);
+}
+
+void tst_Accuracy::nothingIsReadFromWhatLiesInTheBand() {
+    auto result = studiedCase({{Method::trBdf2, 20}, {Method::trBdf2, 40}, {Method::trBdf2, 80}});
+    result.runs[2].inBand = true;
+    const std::string text = study::accuracyText({result}, here);
+    const auto row = text.substr(text.find("| trbdf2 | 5 |"));
+    QVERIFY(row.substr(0, row.find('\n')).ends_with("|  | in the band |")); // and not on the front
+    result.runs[1].inBand = result.runs[0].inBand = true;
+    QVERIFY(study::accuracyText({result}, here).find("No method came within 1 mm.") != std::string::npos);
+}
+
+void tst_Accuracy::aRunThatFailsIsSaidAndTheOthersGoOn() {
+    auto result = studiedCase({{Method::trBdf2, 20}, {Method::bdf2, 20}});
+    result.runs[0].failure = "it was told to fail";
+    result.runs[0].solved = false;
+    const std::string text = study::accuracyText({result}, here);
+    QVERIFY(text.find("it was told to fail") != std::string::npos);
+    QCOMPARE(*study::recordsOf(result, here)[0].find("status")->asString(), std::string("it was told to fail"));
+    QVERIFY(!study::recordsOf(result, here)[0].find("result")->find("rmsError"));
+}
+
+void tst_Accuracy::whatIsNoSceneIsSaid() {
+    const auto result = study::studied({"a skirt", {}, {}}, 1);
+    QVERIFY(!result);
+    QCOMPARE(result.error().text, std::string("There is no scene \"a skirt\"."));
+}
+
+void tst_Accuracy::itCanBeStopped() {
+    std::stop_source stop;
+    stop.request_stop();
+    const auto result = study::studied({"flap", {.cells = 4}, {{Method::trBdf2, 20}}}, 1, stop.get_token());
+    QVERIFY(!result);
+    QCOMPARE(result.error().code, ErrorCode::cancelled);
+}
+
+void tst_Accuracy::everyPlannedSceneIsBuilt() {
+    QCOMPARE(static_cast<int>(study::accuracyPlan({}, true).cases.size()), 5);
+    QCOMPARE(static_cast<int>(study::accuracyPlan({}, false).cases.size()), 7);
+    QCOMPARE(static_cast<int>(study::accuracyPlan({"flap"}, true).cases.size()), 2);
+    for (const auto& one : study::accuracyPlan({}, true).cases)
+        for (const Method method : dynamics::allMethods())
+            QVERIFY(std::ranges::find(one.setups, method, &Setup::method) != one.setups.end());
+}
+
+void tst_Accuracy::recordsHoldNumbersOrReasons() {
+    const auto result = studiedCase({{Method::xpbd, 20, 4}, {Method::trBdf2, 20}});
+    for (const Json& record : study::recordsOf(result, here)) {
+        QVERIFY(parseJson(toLine(record)));
+        QCOMPARE(toLine(record).find("null"), std::string::npos);
+        for (const char* key : {"schema", "program", "machine", "scene", "method", "reference", "result", "cost", "status"})
+            QVERIFY2(record.find(key), key);
+        QVERIFY(*record.find("cost")->find("cpuSecondsMedian")->asNumber() > 0);
+        QVERIFY(*record.find("result")->find("maximumError")->asNumber() > 0);
+    }
+    QVERIFY(study::gnuplotScript(result, here.calibration).find("set output 'flap-1.svg'") != std::string::npos);
+}
+
+QTEST_APPLESS_MAIN(tst_Accuracy)
+#include "tst_Accuracy.moc"
