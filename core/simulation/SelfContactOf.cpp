@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <queue>
+#include <span>
 
 namespace toile::simulation {
 namespace {
@@ -47,10 +47,11 @@ std::vector<double> roomOf(const std::vector<RestTriangle>& triangles, int parti
     return room;
 }
 
-/// The edges of the cloth as a graph with lengths.
+/// The edges of the cloth as a graph with lengths, and the last search over it.
 class RestGraph {
 public:
-    RestGraph(const std::vector<RestTriangle>& triangles, int particles) : neighbours_(particles) {
+    RestGraph(const std::vector<RestTriangle>& triangles, int particles)
+        : neighbours_(particles), distance_(particles, infinity) {
         for (const RestTriangle& t : triangles)
             for (int k = 0; k < 3; ++k) {
                 const int a = t.particles[(k + 1) % 3], b = t.particles[(k + 2) % 3];
@@ -59,29 +60,34 @@ public:
             }
     }
 
-    /// Particles that are not farther than reach along edges, and how far they are [m].
-    [[nodiscard]] std::map<int, double> around(int particle, double reach) const {
-        std::map<int, double> nearest{{particle, 0.0}};
+    /// Finds the particles that are not farther than reach from the nearest source along edges.
+    void seek(std::span<const int> sources, double reach) {
+        for (const int p : reached_) distance_[p] = infinity;
+        reached_.clear();
         std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue;
-        queue.emplace(0, particle);
+        const auto arrive = [&](int particle, double distance) {
+            if (distance_[particle] == infinity) reached_.push_back(particle);
+            distance_[particle] = distance;
+            queue.emplace(distance, particle);
+        };
+        for (const int source : sources) arrive(source, 0);
         while (!queue.empty()) {
             const auto [distance, at] = queue.top();
             queue.pop();
-            if (distance > nearest.at(at)) continue;
-            for (const auto& [next, length] : neighbours_[at]) {
-                const double there = distance + length;
-                if (there > reach) continue;
-                const auto [known, isNew] = nearest.try_emplace(next, there);
-                if (!isNew && known->second <= there) continue;
-                known->second = there;
-                queue.emplace(there, next);
-            }
+            if (distance > distance_[at]) continue;
+            for (const auto& [next, length] : neighbours_[at])
+                if (const double there = distance + length; there <= reach && there < distance_[next])
+                    arrive(next, there);
         }
-        return nearest;
     }
+    [[nodiscard]] const std::vector<int>& reached() const { return reached_; }
+    [[nodiscard]] double distanceOf(int particle) const { return distance_[particle]; } ///< infinity = not reached [m]
 
 private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
     std::vector<std::vector<std::pair<int, double>>> neighbours_;
+    std::vector<double> distance_;
+    std::vector<int> reached_;
 };
 
 /// For each particle those within reach along the sewn cloth to which open seams are the shorter way: across
@@ -99,19 +105,20 @@ std::vector<std::vector<int>> broughtNearBySeams(const Garment& garment, const s
         auto& all = particlesOf[sewn.particleOf[node]];
         if (std::ranges::count(all, particle) == 0) all.push_back(particle);
     }
-    std::vector<char> atSeam(garment.particles.particleCount, 0);
-    for (std::size_t p = 0; p < sewnOf.size(); ++p) atSeam[p] = particlesOf[sewnOf[p]].size() > 1;
+    std::vector<int> atSeam;
+    for (std::size_t p = 0; p < sewnOf.size(); ++p)
+        if (particlesOf[sewnOf[p]].size() > 1) atSeam.push_back(static_cast<int>(p));
 
-    const RestGraph now(triangles, garment.particles.particleCount);
-    const RestGraph later(restTriangles(garment, sewn), sewn.particleCount);
+    RestGraph now(triangles, garment.particles.particleCount);
+    RestGraph later(restTriangles(garment, sewn), sewn.particleCount);
     std::vector<std::vector<int>> brought(garment.particles.particleCount);
-    for (int p = 0; p < garment.particles.particleCount; ++p) {
-        const std::map<int, double> near = now.around(p, reach);
-        if (std::ranges::none_of(near, [&](const auto& q) { return atSeam[q.first]; })) continue;
-        for (const auto& [sewnNear, distance] : later.around(sewnOf[p], reach))
-            for (const int q : particlesOf[sewnNear])
-                if (const auto known = near.find(q); known == near.end() || known->second > distance + rounding)
-                    brought[p].push_back(q);
+    now.seek(atSeam, reach);
+    for (const std::vector<int> nearSeams = now.reached(); const int p : nearSeams) {
+        now.seek({&p, 1}, reach);
+        later.seek({&sewnOf[p], 1}, reach);
+        for (const int near : later.reached())
+            for (const int q : particlesOf[near])
+                if (now.distanceOf(q) > later.distanceOf(near) + rounding) brought[p].push_back(q);
         std::ranges::sort(brought[p]);
     }
     return brought;

@@ -13,6 +13,7 @@ inline const QColor gridCoarse{216, 221, 226};
 inline const QColor gridAxis{178, 188, 198};
 inline const QColor ruler{255, 255, 255};
 inline const QColor rulerText{110, 120, 130};
+inline const QColor allowance{255, 255, 255}; ///< between stitching line and cut line
 inline const QColor outline{44, 54, 66};
 inline const QColor quiet{140, 150, 160};
 inline const QColor text{44, 54, 66};

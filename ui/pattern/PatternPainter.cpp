@@ -40,6 +40,27 @@ std::size_t fabricIndex(const Pattern& pattern, const FabricId& fabric) {
     return 0;
 }
 
+/// What is cut, under the piece: of it the seam allowances stay to be seen.
+void paintCutLine(QPainter& painter, const ViewTransform& view, const FlatPiece& piece) {
+    QPainterPath path;
+    for (const Area& area : piece.cut) {
+        addClosed(path, view, area.outline);
+        for (const Polygon& hole : area.holes) addClosed(path, view, hole);
+    }
+    painter.setBrush(colours::allowance);
+    painter.setPen(QPen(colours::quiet, 1));
+    painter.drawPath(path);
+}
+
+/// Under a piece that is selected or pointed at: its seams keep their colours.
+void paintHalo(QPainter& painter, const QPainterPath& shape, QColor colour) {
+    colour.setAlphaF(0.35F);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colour, 9, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(shape);
+}
+
+/// Inside the piece; a region that is selected or pointed at is seen as it was painted.
 void paintRegions(QPainter& painter, const ViewTransform& view, const FlatPiece& piece, const PatternPicture& picture) {
     for (const Region& region : piece.piece.regions) {
         QPainterPath path;
@@ -54,7 +75,9 @@ void paintRegions(QPainter& painter, const ViewTransform& view, const FlatPiece&
         painter.setPen(selected  ? QPen(colours::accent, 2)
                        : hovered ? QPen(colours::hover, 2)
                                  : QPen(border, 1, Qt::DashLine));
+        if (!selected && !hovered) painter.setClipPath(shapeOf(piece, view));
         painter.drawPath(path);
+        painter.setClipping(false);
     }
 }
 
@@ -73,15 +96,21 @@ void paintMesh(QPainter& painter, const ViewTransform& view, const PieceLines& m
     painter.restore();
 }
 
-void paintGrain(QPainter& painter, const ViewTransform& view, const FlatPiece& piece) {
+/// The grain line on the screen, from its tail to its head; none where the piece is too small to show it.
+std::optional<QLineF> grainLine(const ViewTransform& view, const FlatPiece& piece) {
     const geometry::Box2 box = boundsOf(piece);
     const double half = 0.28 * std::min(box.high.y - box.low.y, box.high.x - box.low.x);
     const Vec2 centre = lerp(box.low, box.high, 0.5), warp = geometry::rotated({0, 1}, piece.piece.grain);
-    const QPointF top = view.toScreen(centre + warp * half), bottom = view.toScreen(centre - warp * half);
-    if (QLineF(top, bottom).length() < 24) return;
+    const QLineF line(view.toScreen(centre - warp * half), view.toScreen(centre + warp * half));
+    return line.length() < 24 ? std::nullopt : std::optional(line);
+}
+
+void paintGrain(QPainter& painter, const ViewTransform& view, const FlatPiece& piece) {
+    const auto line = grainLine(view, piece);
+    if (!line) return;
     painter.setPen(QPen(colours::quiet, 1));
-    painter.drawLine(bottom, top);
-    paintArrowHead(painter, top, top - bottom, 7, colours::quiet);
+    painter.drawLine(*line);
+    paintArrowHead(painter, line->p2(), line->p2() - line->p1(), 7, colours::quiet);
 }
 
 void paintNotches(QPainter& painter, const ViewTransform& view, const FlatPiece& piece) {
@@ -121,15 +150,19 @@ void paintInternalLines(QPainter& painter, const ViewTransform& view, const Piec
     for (const InternalLine& line : piece.internalLines) painter.drawPolyline(onScreen(view, line.points));
 }
 
+/// Below the grain line, in the middle where there is none, under a piece that is lower than the text.
 void paintName(QPainter& painter, const ViewTransform& view, const FlatPiece& piece) {
     const geometry::Box2 box = boundsOf(piece);
     const QPointF centre = view.toScreen(lerp(box.low, box.high, 0.5));
+    const double bottom = view.toScreen(box.low).y();
     const QString name = QString::fromStdString(piece.piece.name);
     const QFontMetricsF metrics(painter.font());
     const QRectF text = metrics.boundingRect(name);
     if (text.width() > (box.high.x - box.low.x) * view.scale) return;
     QRectF place(0, 0, text.width() + 12, metrics.height() + 4);
-    place.moveCenter(centre + QPointF(0, metrics.height() * 1.2));
+    place.moveCenter(centre);
+    if ((box.high.y - box.low.y) * view.scale < 1.5 * place.height()) place.moveTop(bottom + 4);
+    else if (const auto grain = grainLine(view, piece)) place.moveTop(std::max(grain->y1(), grain->y2()) + 3);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(255, 255, 255, 200));
     painter.drawRoundedRect(place, 3, 3);
@@ -144,7 +177,7 @@ void paintHighlights(QPainter& painter, const ViewTransform& view, const FlatPie
     const auto highlight = [&](const Item& item, const QColor& colour) {
         if (pieceOf(item) != piece.piece.id) return;
         painter.setPen(QPen(colour, 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        if (std::holds_alternative<PieceId>(item)) painter.drawPath(shapeOf(piece, view));
+        if (std::holds_alternative<PieceId>(item)) paintHalo(painter, shapeOf(piece, view), colour);
         if (const auto* edge = std::get_if<EdgeRef>(&item))
             if (const auto place = placeOf(piece.piece, edge->edge))
                 painter.drawPolyline(onScreen(view, piece.flat(place->loop).edges[place->edge]));
@@ -171,6 +204,7 @@ void paintPieces(QPainter& painter, const ViewTransform& view, const PatternPict
     for (std::size_t i = 0; i < picture.flat.pieces.size(); ++i) {
         const FlatPiece& piece = picture.flat.pieces[i];
         const QPainterPath shape = shapeOf(piece, view);
+        if (picture.look.cutLines) paintCutLine(painter, view, piece);
         painter.setPen(Qt::NoPen);
         QColor tint = colours::fabricTint(fabricIndex(picture.pattern, piece.piece.fabric));
         tint.setAlphaF(0.92F);

@@ -13,7 +13,7 @@ namespace toile::ui {
 
 /// What of the pattern is drawn.
 struct PatternLook {
-    bool grid = true, mesh = true, regions = true, seams = true, names = true;
+    bool grid = true, mesh = true, regions = true, seams = true, names = true, cutLines = true;
     bool vertices = false; ///< and Bézier handles: while points are edited
 };
 

@@ -61,7 +61,7 @@ void PatternView::setTool(Tool* tool) {
 void PatternView::setView(const ViewTransform& view) {
     view_ = view;
     view_.size = size();
-    fitted_ = true;
+    fitsAll_ = false;
     update();
 }
 
@@ -72,6 +72,7 @@ void PatternView::setLook(const PatternLook& look) {
 
 void PatternView::fitAll() {
     setView(fitted(view_, boundsOf(workbench_.flat()), fitMargin));
+    fitsAll_ = true;
 }
 
 void PatternView::fitSelection() {
@@ -101,10 +102,7 @@ void PatternView::paintEvent(QPaintEvent*) {
 
 void PatternView::resizeEvent(QResizeEvent*) {
     view_.size = size();
-    if (!fitted_) {
-        fitAll();
-        fitted_ = isVisible();
-    }
+    if (fitsAll_) fitAll();
 }
 
 PointerEvent PatternView::eventOf(const QMouseEvent& event) const {

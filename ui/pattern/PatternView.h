@@ -61,7 +61,7 @@ private:
     std::optional<QPointF> panFrom_;
     QPointF rightPress_;
     bool panned_ = false;
-    bool fitted_ = false; ///< the view was set at least once
+    bool fitsAll_ = true; ///< the view shows the whole pattern, and goes on doing so until the user moves it
 };
 
 } // namespace toile::ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/values/FlatPattern.h"
 
+#include "core/pattern/CutLine.h"
+
 #include <algorithm>
 
 namespace toile::ui {
@@ -71,9 +73,10 @@ const FlatContour& FlatPiece::flat(std::size_t loop) const {
 FlatPattern flattened(const Pattern& pattern) {
     FlatPattern flat;
     for (const Shared<Piece>& piece : pattern.pieces) {
-        FlatPiece item{moved(resolved(pattern, *piece), piece->tablePosition), {}, {}};
+        FlatPiece item{moved(resolved(pattern, *piece), piece->tablePosition), {}, {}, {}};
         item.outline = flattened(item.piece.outline);
         for (const Contour& hole : item.piece.holes) item.holes.push_back(flattened(hole));
+        item.cut = cutShape(item.piece);
         flat.pieces.push_back(std::move(item));
     }
     return flat;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/pattern/Brush.h"
 #include "core/pattern/Pattern.h"
 
 #include <optional>
@@ -19,6 +20,7 @@ struct FlatPiece {
     pattern::Piece piece; ///< resolved, its geometry in coordinates of the table: points of the piece + tablePosition
     FlatContour outline;
     std::vector<FlatContour> holes;
+    std::vector<pattern::Area> cut; ///< with its seam allowances
 
     [[nodiscard]] const pattern::Contour& contour(std::size_t loop) const;
     [[nodiscard]] const FlatContour& flat(std::size_t loop) const;

@@ -26,7 +26,7 @@ QWidget* below(QWidget* bar, QWidget* view) {
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    bar->setFixedHeight(34);
+    bar->setFixedHeight(50);
     column->addWidget(bar);
     column->addWidget(view, 1);
     return side;
@@ -98,6 +98,7 @@ void MainWindow::makeActions() {
          std::initializer_list<std::pair<const char*, bool>>{{"look.mesh", look.mesh},
                                                              {"look.regions", look.regions},
                                                              {"look.seams", look.seams},
+                                                             {"look.cutLines", look.cutLines},
                                                              {"look.names", look.names},
                                                              {"look.grid", look.grid},
                                                              {"look3d.body", render.body},
@@ -128,28 +129,11 @@ void MainWindow::makeMenus() {
     makeFabricMenu(*edit->addMenu(tr("Add &fabric")));
     actions_.fill(*edit, {"-", "edit.shortcuts"});
     menu(tr("&Tools"), tools);
-    QMenu* view = menu(tr("&View"), {"view.fitAll",
-                                     "view.fitSelection",
-                                     "view.zoomIn",
-                                     "view.zoomOut",
-                                     "-",
-                                     "view.front",
-                                     "view.back",
-                                     "view.left",
-                                     "view.right",
-                                     "view.top",
-                                     "-",
-                                     "look.mesh",
-                                     "look.regions",
-                                     "look.seams",
-                                     "look.names",
-                                     "look.grid",
-                                     "-",
-                                     "look3d.body",
-                                     "look3d.meshLines",
-                                     "look3d.seams",
-                                     "look3d.regions",
-                                     "-"});
+    QMenu* view = menu(
+        tr("&View"), {"view.fitAll",  "view.fitSelection", "view.zoomIn",   "view.zoomOut",   "-",         "view.front",
+                      "view.back",    "view.left",         "view.right",    "view.top",       "-",         "look.mesh",
+                      "look.regions", "look.seams",        "look.cutLines", "look.names",     "look.grid", "-",
+                      "look3d.body",  "look3d.meshLines",  "look3d.seams",  "look3d.regions", "-"});
     actions_.fill(*view->addMenu(tr("Mouse in the &3D view")), {"habits.clo", "habits.blender", "habits.maya"});
     menu(tr("&Avatar"), {"avatar.mannequin", "avatar.import", "avatar.remove"});
     menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset"});

@@ -138,6 +138,7 @@ std::vector<ActionSpec> MainWindow::viewActions() {
         {"look.mesh", tr("&Mesh on the pattern"), QKeySequence(tr("Ctrl+M")), "mesh", true, look(&PatternLook::mesh)},
         {"look.regions", tr("&Regions on the pattern"), {}, {}, true, look(&PatternLook::regions)},
         {"look.seams", tr("&Seams on the pattern"), {}, {}, true, look(&PatternLook::seams)},
+        {"look.cutLines", tr("C&ut lines on the pattern"), {}, {}, true, look(&PatternLook::cutLines)},
         {"look.names", tr("&Names on the pattern"), {}, {}, true, look(&PatternLook::names)},
         {"look.grid", tr("&Grid and rulers"), {}, {}, true, look(&PatternLook::grid)},
         {"look3d.body", tr("&Avatar"), {}, {}, true, render(&picture::RenderOptions::body), {}, tr("Avatar")},
