@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace toile::pattern {
 namespace {
@@ -67,6 +68,26 @@ Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Ve
     image.tablePosition = original->tablePosition;
     image.mirror = MirrorOf{source, lineStart, lineEnd};
     return addPiece(pattern, std::move(image));
+}
+
+Result<Pattern> duplicatePiece(const Pattern& pattern, const PieceId& piece, std::string name, IdSource& ids) {
+    const Piece* original = findPiece(pattern, piece);
+    if (!original) return fail(ErrorCode::notFound, fmt::format("There is no piece \"{}\".", piece.value));
+    Piece copy = *original;
+    copy.id = ids.take<PieceId>();
+    copy.name = std::move(name);
+    const auto renew = [&](Contour& contour) {
+        for (Vertex& vertex : contour.vertices) vertex.id = ids.take<VertexId>();
+        for (Edge& edge : contour.edges) {
+            const EdgeId old = std::exchange(edge.id, ids.take<EdgeId>());
+            for (std::size_t n = 0; n < copy.notches.size(); ++n)
+                if (original->notches[n].edge == old) copy.notches[n].edge = edge.id;
+        }
+    };
+    renew(copy.outline);
+    std::ranges::for_each(copy.holes, renew);
+    for (Region& region : copy.regions) region.id = ids.take<RegionId>();
+    return addPiece(pattern, std::move(copy));
 }
 
 Result<Edited> deletePiece(const Pattern& pattern, const PieceId& piece) {

@@ -77,8 +77,9 @@ void tst_CutLine::sharpTipsAreCutOff() {
 
 void tst_CutLine::insideCornersStaySharp() {
     Piece piece = panel(); // an L: 300 × 400 mm without its upper right quarter
-    piece.outline.vertices = {{VertexId("v1"), {0, 0}},      {VertexId("v2"), {0.3, 0}},   {VertexId("v3"), {0.3, 0.2}},
-                              {VertexId("v4"), {0.15, 0.2}}, {VertexId("v5"), {0.15, 0.4}}, {VertexId("v6"), {0, 0.4}}};
+    piece.outline.vertices = {{VertexId("v1"), {0, 0}},      {VertexId("v2"), {0.3, 0}},
+                              {VertexId("v3"), {0.3, 0.2}},  {VertexId("v4"), {0.15, 0.2}},
+                              {VertexId("v5"), {0.15, 0.4}}, {VertexId("v6"), {0, 0.4}}};
     while (piece.outline.edges.size() < 6) piece.outline.edges.push_back({EdgeId("more"), {}, {}});
     QVERIFY(std::abs(areaOfCut(piece) - (0.32 * 0.42 - 0.15 * 0.2)) < rounding);
 }

@@ -18,6 +18,7 @@ class tst_PatternPieces : public QObject {
 private slots:
     void theSamplePatternHasNoErrors();
     void aPieceWithATakenIdIsRefused();
+    void aCopyIsTheSameWithIdsOfItsOwn();
     void aDeletedPieceTakesImagesSeamsAndPinsAlong();
     void movingAPieceOnTheTableLeavesItsShape();
     void laidOutPiecesDoNotCoverEachOther();
@@ -47,6 +48,27 @@ void tst_PatternPieces::aPieceWithATakenIdIsRefused() {
     QVERIFY(!addPiece(tests::twoPanels(), tests::rectangle("front", 1, 1)));
     QVERIFY(addPiece(tests::twoPanels(), tests::rectangle("sleeve", 1, 1)));
     QVERIFY(!addPiece(tests::twoPanels(), Piece{}));
+}
+
+void tst_PatternPieces::aCopyIsTheSameWithIdsOfItsOwn() {
+    const Pattern pattern = tests::twoPanels();
+    IdSource ids{firstFreeNumber(pattern)};
+    const auto next = duplicatePiece(pattern, front, "second front", ids);
+    QVERIFY(next && !hasErrors(checkPattern(*next)));
+    const Piece &original = *findPiece(*next, front), &copy = *next->pieces.back();
+    QVERIFY(copy.id != original.id && copy.name == "second front");
+    QVERIFY(flattened(copy.outline, 1e-4) == flattened(original.outline, 1e-4));
+    for (std::size_t i = 0; i < copy.outline.edges.size(); ++i) {
+        QVERIFY(!findEdge(original, copy.outline.edges[i].id));
+        QVERIFY(!findVertex(original, copy.outline.vertices[i].id));
+    }
+    QCOMPARE(copy.notches.size(), original.notches.size());
+    for (const Notch& notch : copy.notches) QVERIFY(notch.edge == copy.outline.edges[1].id);
+    QCOMPARE(next->seams.size(), pattern.seams.size());
+
+    const auto image2 = duplicatePiece(pattern, image, "second image", ids);
+    QVERIFY(image2 && image2->pieces.back()->mirror->source == front);
+    QVERIFY(!duplicatePiece(pattern, PieceId("none"), "?", ids));
 }
 
 void tst_PatternPieces::aDeletedPieceTakesImagesSeamsAndPinsAlong() {

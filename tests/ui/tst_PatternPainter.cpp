@@ -36,6 +36,7 @@ private Q_SLOTS:
     void meshLinesAreSeenUnlessTooDense();
     void regionsAreTinted();
     void seamsAreColoured();
+    void cutLinesAreSeenUnlessTurnedOff();
     void pinsAreSeenAlsoWhilePointsAre();
     void selectionStandsOut();
     void overlayStandsOut();
@@ -77,6 +78,12 @@ void tst_PatternPainter::seamsAreColoured() {
     document.pattern.seams.push_back(seam);
     QVERIFY(different(paintedImage(document), paintedImage(twoRectangles())) > 300);
     QVERIFY(different(paintedImage(document, {}, {seam.id}), paintedImage(document)) > 300); // links to the partner
+}
+
+void tst_PatternPainter::cutLinesAreSeenUnlessTurnedOff() {
+    PatternLook without;
+    without.cutLines = false;
+    QVERIFY(different(paintedImage(twoRectangles()), paintedImage(twoRectangles(), {}, {}, {}, without)) > 1000);
 }
 
 void tst_PatternPainter::pinsAreSeenAlsoWhilePointsAre() {

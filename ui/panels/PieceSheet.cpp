@@ -64,6 +64,25 @@ DocumentResult withImage(const Document& document, const PieceId& id) {
     });
 }
 
+/// A copy beside the piece on the table, and before it in space: two layers do not start in one place.
+DocumentResult withCopy(const Document& document, const PieceId& id) {
+    constexpr double apart = 0.05; // [m]
+    return document::edited(document, [&](const Pattern& pattern, IdSource& ids) -> Result<Pattern> {
+        const Piece* piece = findPiece(pattern, id);
+        if (!piece) return pattern;
+        auto next =
+            duplicatePiece(pattern, id, tr("%1 copy").arg(QString::fromStdString(piece->name)).toStdString(), ids);
+        if (!next) return next;
+        const PieceId copy = next->pieces.back()->id;
+        const geometry::Box2 box = geometry::boundsOf(flattened(resolved(pattern, *piece).outline, 1e-3));
+        next = movePiece(*next, copy, piece->tablePosition + Vec2{box.high.x - box.low.x + apart, 0});
+        if (!next || !piece->placement) return next;
+        Placement before = *piece->placement;
+        before.transform.origin += before.transform.axisZ * apart;
+        return setPlacement(*next, copy, before);
+    });
+}
+
 PropertyRow originRow(const Piece& piece, int axis, const QString& label) {
     return {QStringLiteral("placement%1").arg(axis), label,
             NumberRow{Quantity::length, placementOf(piece).transform.origin[axis], -10, 10, 10,
@@ -166,6 +185,9 @@ PropertySheet pieceSheet(const Document& document, const Piece& piece, const mes
         sheet.rows.push_back({QStringLiteral("addMirror"), tr("Add mirror image"),
                               ActionRow{[id = piece.id](const Document& d) { return withImage(d, id); }},
                               tr("It follows every change of this piece.")});
+    sheet.rows.push_back({QStringLiteral("duplicate"), tr("Duplicate piece"),
+                          ActionRow{[id = piece.id](const Document& d) { return withCopy(d, id); }},
+                          tr("A copy that goes its own way, without seams.")});
     addPlacementRows(sheet, piece);
     addMeshFacts(sheet, document, piece, mesh);
     return sheet;

@@ -2,6 +2,7 @@
 #include "ui/window/StatusLine.h"
 
 #include "ui/values/Units.h"
+#include "ui/window/ElidedLabel.h"
 
 #include <QLabel>
 
@@ -30,10 +31,9 @@ SimulationTexts textsOf(const simulation::Frame& frame) {
 
 StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     setSizeGripEnabled(false);
-    message_ = new QLabel;
+    message_ = new ElidedLabel;
     message_->setObjectName(QStringLiteral("statusMessage"));
     message_->setContentsMargins(8, 0, 0, 0);
-    message_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(message_, 1);
     pointer_ = field(*this, "statusPointer", 130, tr("Pointer on the pattern table"));
     state_ = field(*this, "statusState", 70, tr("State of the simulation"));
@@ -49,8 +49,7 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
 }
 
 void StatusLine::tell(const QString& message, bool isProblem) {
-    message_->setText(message);
-    message_->setToolTip(message);
+    message_->show(message);
     message_->setStyleSheet(isProblem ? QStringLiteral("color: #b02a2a;") : QString());
     if (isProblem || message.isEmpty()) fade_.stop();
     else fade_.start();

@@ -10,6 +10,8 @@ class QLabel;
 
 namespace toile::ui {
 
+class ElidedLabel;
+
 /// What the simulation says: its parts for the status line, in the trade's units.
 struct SimulationTexts {
     QString time, rate, particles, gap;
@@ -29,7 +31,8 @@ public:
 
 private:
     QTimer fade_;
-    QLabel *message_, *pointer_, *state_, *time_, *rate_, *particles_, *gap_;
+    ElidedLabel* message_;
+    QLabel *pointer_, *state_, *time_, *rate_, *particles_, *gap_;
 };
 
 } // namespace toile::ui

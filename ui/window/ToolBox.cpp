@@ -36,12 +36,12 @@ ToolBox::ToolBox() {
     add("tool.drawPiece", tr("Draw piece"), "Shift+D", "draw-piece", std::make_unique<DrawPiece>());
     add("tool.internalLine", tr("Internal line"), "D", "internal-line", std::make_unique<DrawInternalLine>());
     add("tool.notch", tr("Notch"), "Shift+N", "notch", std::make_unique<EditNotches>());
-    add("tool.dart", tr("Dart"), "Shift+T", "dart", std::make_unique<CutDart>(dart), Uses::dartOptions);
+    add("tool.dart", tr("Dart"), "Shift+T", "dart", std::make_unique<CutDart>(dart), Uses::dart);
     add("tool.hole", tr("Cut hole"), "Shift+H", "hole", std::make_unique<CutHole>());
     add("tool.paintPolygon", tr("Paint region by corners"), "Shift+R", "region-polygon",
-        std::make_unique<PaintPolygon>(paint), Uses::paintOptions);
+        std::make_unique<PaintPolygon>(paint), Uses::spacing);
     add("tool.paintBrush", tr("Paint region with a brush"), "Shift+B", "region-brush",
-        std::make_unique<PaintBrush>(paint), Uses::paintOptions);
+        std::make_unique<PaintBrush>(paint), Uses::brush);
     add("tool.sewSegments", tr("Sew edges"), "N", "sew-segments", std::make_unique<SewSegments>());
     add("tool.sewFree", tr("Sew parts of edges"), "M", "sew-free", std::make_unique<SewFree>());
     add("tool.editSewing", tr("Edit sewing"), "B", "sew-edit", std::make_unique<EditSewing>());

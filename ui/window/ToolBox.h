@@ -17,7 +17,7 @@ class ToolBox {
 public:
     ToolBox();
 
-    enum class Uses { nothing, paintOptions, dartOptions };
+    enum class Uses { nothing, spacing, brush, dart };
     struct Entry {
         QString id, text, shortcut, icon;
         std::unique_ptr<Tool> tool;

@@ -2,6 +2,7 @@
 #include "ui/window/ToolOptions.h"
 
 #include "ui/values/Units.h"
+#include "ui/window/ElidedLabel.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -40,19 +41,22 @@ ToolOptions::ToolOptions(ToolBox& tools, QWidget* parent) : QWidget(parent), too
     QFont bold = name_->font();
     bold.setBold(true);
     name_->setFont(bold);
-    hint_ = new QLabel;
+    hint_ = new ElidedLabel;
     hint_->setObjectName(QStringLiteral("toolHint"));
-    hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     hint_->setForegroundRole(QPalette::PlaceholderText);
     paintPart_ = makePaintPart();
+    brushPart_ = inARow({new QLabel(tr("Brush")), radius_});
     dartPart_ = makeDartPart();
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(10, 4, 10, 4);
-    layout->setSpacing(10);
-    layout->addWidget(name_);
-    layout->addWidget(hint_, 1);
-    layout->addWidget(paintPart_);
-    layout->addWidget(dartPart_);
+    auto* options = new QHBoxLayout;
+    options->setSpacing(10);
+    options->addWidget(name_);
+    options->addStretch(1);
+    for (QWidget* part : {paintPart_, brushPart_, dartPart_}) options->addWidget(part);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(10, 3, 10, 3);
+    layout->setSpacing(1);
+    layout->addLayout(options);
+    layout->addWidget(hint_);
 }
 
 QWidget* ToolOptions::makePaintPart() {
@@ -64,7 +68,7 @@ QWidget* ToolOptions::makePaintPart() {
     connect(refinement, &QComboBox::activated, this, [this](int m) { tools_.paint.refinement = m; });
     radius_ = lengthBox("brushRadius", 2, 300, tools_.paint.radius);
     radius_->setToolTip(tr("Radius of the brush; Ctrl and the wheel change it as well"));
-    return inARow({new QLabel(tr("Spacing")), refinement, new QLabel(tr("Brush")), radius_});
+    return inARow({new QLabel(tr("Spacing")), refinement});
 }
 
 QWidget* ToolOptions::makeDartPart() {
@@ -75,18 +79,12 @@ QWidget* ToolOptions::makeDartPart() {
 
 void ToolOptions::show(const ToolBox::Entry& tool) {
     name_->setText(tool.text);
-    hintText_ = tool.tool->hint();
-    hint_->setToolTip(hintText_);
-    paintPart_->setVisible(tool.uses == ToolBox::Uses::paintOptions);
-    dartPart_->setVisible(tool.uses == ToolBox::Uses::dartOptions);
-    layout()->activate();
-    elide();
+    hint_->show(tool.tool->hint());
+    paintPart_->setVisible(tool.uses == ToolBox::Uses::spacing || tool.uses == ToolBox::Uses::brush);
+    brushPart_->setVisible(tool.uses == ToolBox::Uses::brush);
+    dartPart_->setVisible(tool.uses == ToolBox::Uses::dart);
     const QSignalBlocker quiet(radius_);
     radius_->setValue(shown(Quantity::length, tools_.paint.radius));
-}
-
-void ToolOptions::elide() {
-    hint_->setText(hint_->fontMetrics().elidedText(hintText_, Qt::ElideRight, hint_->width()));
 }
 
 } // namespace toile::ui

@@ -10,6 +10,8 @@ class QLabel;
 
 namespace toile::ui {
 
+class ElidedLabel;
+
 /// The bar above the pattern: what to do next, and the options of the tool in use.
 class ToolOptions : public QWidget {
     Q_OBJECT
@@ -18,18 +20,14 @@ public:
 
     void show(const ToolBox::Entry& tool);
 
-protected:
-    void resizeEvent(QResizeEvent*) override { elide(); }
-
 private:
     [[nodiscard]] QWidget* makePaintPart();
     [[nodiscard]] QWidget* makeDartPart();
-    void elide(); ///< as much of the hint as there is room for
 
     ToolBox& tools_;
-    QString hintText_;
-    QLabel *name_, *hint_;
-    QWidget *paintPart_, *dartPart_;
+    QLabel* name_;
+    ElidedLabel* hint_;
+    QWidget *paintPart_, *brushPart_, *dartPart_;
     QDoubleSpinBox* radius_;
 };
 
