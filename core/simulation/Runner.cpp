@@ -78,11 +78,11 @@ private:
             const bool mayPlay = playing_, mayStep = steps_ > 0;
             if (auto order = orders_.take()) accept(std::move(*order));
             if (reset_.exchange(false)) restart();
-            if (pushed_.exchange(false) && simulation_) playUntil_ = simulation_->state().time + atLeast;
+            if (pushed_.exchange(false) && stands()) playUntil_ = simulation_->state().time + atLeast;
             if (mayStep) {
                 --steps_;
                 advance();
-            } else if (mayPlay && playing_ && simulation_ && !rests()) {
+            } else if (mayPlay && playing_ && stands() && !rests()) {
                 advance();
             } else {
                 idleSince_ = seen;
@@ -94,6 +94,8 @@ private:
     /// A garment at rest costs nothing: the thread sleeps, and what is playing stays playing, for the next edit.
     [[nodiscard]] bool rests() const { return resting_ && simulation_->state().time >= playUntil_; }
 
+    [[nodiscard]] bool stands() const { return simulation_ && !broken_; }
+
     void accept(Order order) {
         scene_ = std::move(order.scene);
         generation_ = order.generation;
@@ -102,28 +104,27 @@ private:
     }
 
     void restart() {
+        simulation_.reset();
         if (generation_ > 0) adopt(Simulation::create(scene_));
     }
 
+    /// A scene that cannot be built stands still; the garment before it is kept, and goes on when the next one can.
     void adopt(Result<Simulation> made) {
-        if (made) {
-            simulation_.emplace(std::move(*made));
-            publish({});
-        } else {
-            simulation_.reset();
-            stopWith(toString(made.error()));
-        }
+        broken_ = !made;
+        if (broken_) return stopWith(toString(made.error()));
+        simulation_.emplace(std::move(*made));
+        publish({});
     }
 
     void advance() {
-        if (!simulation_) return;
+        if (!stands()) return;
         const auto advanced = simulation_->advance();
         if (advanced) publish({});
         else stopWith(toString(advanced.error()));
     }
 
     void publish(std::string message) {
-        Frame frame = simulation_ ? simulation_->frame() : Frame{};
+        Frame frame = stands() ? simulation_->frame() : Frame{};
         frame.generation = generation_;
         frame.message = std::move(message);
         resting_ = frame.atRest;
@@ -138,6 +139,7 @@ private:
     Scene scene_;
     std::uint64_t generation_ = 0;
     std::optional<Simulation> simulation_;
+    bool broken_ = false;  ///< the scene could not be built; simulation_ is of one before it
     bool resting_ = false; ///< the frame published last is at rest
     double playUntil_ = 0; ///< at rest or not [s]
 

@@ -18,6 +18,7 @@ private slots:
     void aStepIsOneFrame();
     void resetReturnsToThePlacement();
     void aWrongSceneGivesAMessage();
+    void aGarmentGoesOnAfterASceneThatCannotBeBuilt();
     void aGarmentAtRestSleepsUntilSomethingChanges();
     void fiveHundredEditsWhileItSews();
 
@@ -105,6 +106,23 @@ void tst_Runner::aWrongSceneGivesAMessage() {
     const auto frame = waitForFrame(runner, [](const Frame& f) { return !f.message.empty(); });
     QVERIFY(frame);
     QVERIFY(frame->positions.empty());
+}
+
+void tst_Runner::aGarmentGoesOnAfterASceneThatCannotBeBuilt() {
+    Runner runner;
+    const Scene scene = twoSquares(0.05);
+    Scene wrong = scene;
+    wrong.pattern.seams[0].sides[0][0].edge = pattern::EdgeId("none");
+    runner.setScene(scene, 1);
+    runner.play();
+    QVERIFY(waitForFrame(runner, [](const Frame& f) { return f.time > 0.05; }));
+    runner.setScene(wrong, 2);
+    QVERIFY(waitForFrame(runner, [](const Frame& f) { return f.generation == 2 && !f.message.empty(); }));
+    QVERIFY(!runner.isPlaying());
+    runner.step(); // nothing to be stepped
+    runner.setScene(scene, 3);
+    const auto frame = waitForFrame(runner, [](const Frame& f) { return f.generation == 3; });
+    QVERIFY(frame && frame->time > 0.05);
 }
 
 void tst_Runner::aGarmentAtRestSleepsUntilSomethingChanges() {

@@ -67,6 +67,7 @@ private Q_SLOTS:
     void anEditMakesANewScene();
     void movingOnTheTableMakesNoNewScene();
     void olderFramesAreDropped();
+    void theGarmentStaysInViewWhileItCannotBeBuilt();
     void framesAreAskedForOnlyWhileSomethingHappens();
     void anotherDocumentBeginsAnew();
     void meshesOfTheNewestPatternArrive();
@@ -112,6 +113,24 @@ void tst_Workbench::olderFramesAreDropped() {
     fixture.log.frame = frameOf(bench.generation());
     bench.pollFrame();
     QVERIFY(bench.frame());
+}
+
+void tst_Workbench::theGarmentStaysInViewWhileItCannotBeBuilt() {
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    bench.apply({QStringLiteral("Draw"), twoRectangles()});
+    fixture.log.frame = frameOf(bench.generation());
+    bench.pollFrame();
+    simulation::Frame none;
+    none.generation = bench.generation();
+    none.message = "a seam is too long";
+    fixture.log.frame = none;
+    bench.pollFrame();
+    QVERIFY(bench.frame() && !bench.frame()->positions.empty());
+    none.message.clear(); // nothing to be built: the last piece was deleted
+    fixture.log.frame = none;
+    bench.pollFrame();
+    QVERIFY(!bench.frame());
 }
 
 void tst_Workbench::framesAreAskedForOnlyWhileSomethingHappens() {

@@ -212,8 +212,9 @@ void Workbench::pollFrame() {
     if (!parts_.simulation->isBusy()) frames_.stop(); // asked before the frame is taken: the last one is not missed
     if (auto frame = parts_.simulation->takeFrame(); frame && frame->generation == generation_ && scene_) {
         if (!frame->message.empty()) tell(QString::fromStdString(frame->message), true);
-        if (frame->positions.empty()) frame_.reset(); // it could not be built
-        else frame_ = std::move(*frame);
+        const bool wasBuilt = frame->message.empty(); // else the garment as it was stays in view
+        if (!frame->positions.empty()) frame_ = std::move(*frame);
+        else if (wasBuilt) frame_.reset();
         Q_EMIT frameArrived();
     }
     if (const bool playing = parts_.simulation->isPlaying(); playing != wasPlaying_) {
