@@ -47,7 +47,8 @@ Result<void> writeAll(const fs::path& folder, const std::vector<study::CaseResul
     for (const study::CaseResult& result : results) {
         for (const Json& record : study::recordsOf(result, circumstances)) lines += toLine(record) + '\n';
         const fs::path script = folder / (study::fileNameOf(result) + ".gp");
-        if (auto written = writeFileAtomically(script, study::gnuplotScript(result, circumstances.calibration)); !written)
+        if (auto written = writeFileAtomically(script, study::gnuplotScript(result, circumstances.calibration));
+            !written)
             return written;
     }
     if (auto written = writeFileAtomically(folder / "results.jsonl", lines); !written) return written;
@@ -75,12 +76,11 @@ int studyAccuracy(const StudyOptions& options, std::stop_token stop) {
     std::size_t runs = 0;
     for (const auto& one : plan.cases) runs += one.setups.size();
     fmt::print("{} scenes, {} runs, each {} times\n", plan.cases.size(), runs, plan.repetitions);
-    const study::Circumstances circumstances{fmt::format("toile-cli {} ({})", facts.version, facts.commit),
-                                             fmt::format("toile-cli study accuracy{}{} --{} --out {}",
-                                                         options.cases.empty() ? "" : " ",
-                                                         fmt::join(options.cases, " "), options.full ? "full" : "quick",
-                                                         options.out),
-                                             processorName(), study::calibrationSeconds()};
+    const study::Circumstances circumstances{
+        fmt::format("toile-cli {} ({})", facts.version, facts.commit),
+        fmt::format("toile-cli study accuracy{}{} --{} --out {}", options.cases.empty() ? "" : " ",
+                    fmt::join(options.cases, " "), options.full ? "full" : "quick", options.out),
+        processorName(), study::calibrationSeconds()};
     ProgressBar bar(options.quiet);
     std::vector<study::CaseResult> results;
     for (std::size_t i = 0; i < plan.cases.size(); ++i) {

@@ -12,10 +12,10 @@ namespace {
 
 using dynamics::Method;
 
-constexpr double noisyRatio = 1.3; ///< median over least time beyond which the machine was too busy [–]
-constexpr double bandFactor = 3;   ///< times the reference's own error: nothing below is told apart [–]
+constexpr double noisyRatio = 1.3;   ///< median over least time beyond which the machine was too busy [–]
+constexpr double bandFactor = 3;     ///< times the reference's own error: nothing below is told apart [–]
 constexpr double explicitPart = 0.5; ///< of its limit that an explicit method takes at once [–]
-constexpr double shortest = 0.005; ///< below which a run's time is no measure of noise [s]
+constexpr double shortest = 0.005;   ///< below which a run's time is no measure of noise [s]
 
 int stepsBelow(double limit, double duration) {
     const int steps = static_cast<int>(std::ceil(duration / limit));
@@ -26,8 +26,8 @@ int stepsBelow(double limit, double duration) {
 std::vector<Setup> setupsFor(const Scene& scene) {
     std::vector<Setup> setups;
     for (const int divided : {1, 4, 16, 64}) setups.push_back({Method::xpbd, sampleCount, divided});
-    for (const Method method : {Method::trBdf2, Method::bdf2, Method::midpoint, Method::sdirk4, Method::backwardEuler,
-                                Method::baraffWitkin})
+    for (const Method method :
+         {Method::trBdf2, Method::bdf2, Method::midpoint, Method::sdirk4, Method::backwardEuler, Method::baraffWitkin})
         for (int steps = sampleCount; steps <= 16 * sampleCount; steps *= 2) setups.push_back({method, steps});
     for (const Method method : {Method::symplecticEuler, Method::rk4}) {
         const int steps = stepsBelow(explicitPart * stepLimitOf(scene, method), scene.duration);
@@ -78,13 +78,11 @@ AccuracyPlan accuracyPlan(const std::vector<std::string>& scenes, bool quick) {
     return plan;
 }
 
-Result<CaseResult> studied(const AccuracyCase& which, int repetitions, std::stop_token stop,
-                           const Progress& progress) {
+Result<CaseResult> studied(const AccuracyCase& which, int repetitions, std::stop_token stop, const Progress& progress) {
     auto scene = sceneNamed(which.scene, which.settings);
     if (!scene) return fail(ErrorCode::notFound, fmt::format("There is no scene \"{}\".", which.scene));
-    CaseResult result{.scene = std::move(*scene),
-                      .cells = which.settings.cells,
-                      .stiffnessFactor = which.settings.stiffnessFactor};
+    CaseResult result{
+        .scene = std::move(*scene), .cells = which.settings.cells, .stiffnessFactor = which.settings.stiffnessFactor};
     report(progress, 0, result.scene.name + ": reference");
     auto reference = referenceOf(result.scene, stop);
     if (!reference) return tl::unexpected(reference.error());

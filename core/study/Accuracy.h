@@ -26,7 +26,8 @@ struct AccuracyPlan {
 /// sceneNames(); none = all.
 [[nodiscard]] AccuracyPlan accuracyPlan(const std::vector<std::string>& scenes, bool quick);
 
-/// With what the runs of a case are compared: fourth-order steps so small that halving them changes nothing that counts.
+/// With what the runs of a case are compared: fourth-order steps so small that halving them changes nothing that
+/// counts.
 struct Reference {
     Setup setup;
     Trajectory trajectory;

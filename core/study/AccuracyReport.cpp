@@ -63,9 +63,10 @@ std::string titleOf(const CaseResult& result) {
 
 void appendTable(std::string& text, const CaseResult& result, double calibration) {
     const auto front = frontOf(result);
-    fmt::format_to(std::back_inserter(text),
-                   "| method | step ms | error mm | at the end mm | CPU s/s | in calibrations | parts | Newton | factors | "
-                   "CG | energy % | front | |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    fmt::format_to(
+        std::back_inserter(text),
+        "| method | step ms | error mm | at the end mm | CPU s/s | in calibrations | parts | Newton | factors | "
+        "CG | energy % | front | |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const RunResult& run : result.runs) {
         const bool onFront = std::ranges::find(front, &run) != front.end();
         fmt::format_to(std::back_inserter(text),
@@ -98,10 +99,11 @@ void appendConclusion(std::string& text, const CaseResult& result) {
     const auto noisy = std::ranges::count_if(runs, [](const RunResult* run) { return run->noisy; });
     text += '\n';
     if (noisy > 0) {
-        fmt::format_to(std::back_inserter(text),
-                       "**No conclusion about cost**: {} of {} runs took over 1.3 times their least time in the median. Run "
-                       "it again on a machine that does nothing else.\n\n",
-                       noisy, runs.size());
+        fmt::format_to(
+            std::back_inserter(text),
+            "**No conclusion about cost**: {} of {} runs took over 1.3 times their least time in the median. Run "
+            "it again on a machine that does nothing else.\n\n",
+            noisy, runs.size());
         return;
     }
     std::pair<double, std::string> cheapest{std::numeric_limits<double>::infinity(), ""};
@@ -110,8 +112,9 @@ void appendConclusion(std::string& text, const CaseResult& result) {
             cheapest = {cost, std::string(dynamics::nameOf(method))};
     if (cheapest.second.empty()) text += "No method came within 1 mm.\n\n";
     else
-        fmt::format_to(std::back_inserter(text), "A millimetre is cheapest by {}: {:.3g} CPU s per simulated second.\n\n",
-                       cheapest.second, cheapest.first);
+        fmt::format_to(std::back_inserter(text),
+                       "A millimetre is cheapest by {}: {:.3g} CPU s per simulated second.\n\n", cheapest.second,
+                       cheapest.first);
 }
 
 } // namespace
@@ -156,15 +159,16 @@ std::vector<Json> recordsOf(const CaseResult& result, const Circumstances& circu
 std::string accuracyText(const std::vector<CaseResult>& results, const Circumstances& circumstances) {
     std::string text;
     const auto out = std::back_inserter(text);
-    fmt::format_to(out,
-                   "# Error against run time\n\n`{}`, {}, {}. One *calibration*, a loop over a million spring forces, takes "
-                   "{:.3g} ms.\n\n"
-                   "The error is the largest mass-weighted root mean square distance to the reference over {} times, on the "
-                   "same mesh: what the division of time costs, and nothing else. A run *in the band* is nearer to the "
-                   "reference than three times the reference's own error, and no order or cost is read from it. Times are "
-                   "the least of interleaved repetitions on one thread. ● is on the front: no run is both cheaper and nearer.\n",
-                   circumstances.command, circumstances.program, circumstances.processor,
-                   1e3 * circumstances.calibration, sampleCount);
+    fmt::format_to(
+        out,
+        "# Error against run time\n\n`{}`, {}, {}. One *calibration*, a loop over a million spring forces, takes "
+        "{:.3g} ms.\n\n"
+        "The error is the largest mass-weighted root mean square distance to the reference over {} times, on the "
+        "same mesh: what the division of time costs, and nothing else. A run *in the band* is nearer to the "
+        "reference than three times the reference's own error, and no order or cost is read from it. Times are "
+        "the least of interleaved repetitions on one thread. ● is on the front: no run is both cheaper and nearer.\n",
+        circumstances.command, circumstances.program, circumstances.processor, 1e3 * circumstances.calibration,
+        sampleCount);
     for (const CaseResult& result : results) {
         fmt::format_to(out,
                        "\n## {}\n\n{} particles, {:g} s. Reference: {} at {:.3g} ms, own error {:.2g} mm.\n\n![error "
@@ -195,11 +199,12 @@ std::string gnuplotScript(const CaseResult& result, double calibration) {
     for (const auto& [method, runs] : methods) block(fmt::format("method{}", number++), runs);
     block("front", frontOf(result));
     const double band = 1e3 * result.reference.selfError;
-    fmt::format_to(out,
-                   "set logscale xy\nset format x '10^{{%L}}'\nset format y '10^{{%L}}'\nset grid\nset key outside right\n"
-                   "set title '{}' noenhanced\nset xlabel 'CPU time of a simulated second, in calibrations'\n"
-                   "set ylabel 'largest rms distance to the reference, mm'\n",
-                   titleOf(result));
+    fmt::format_to(
+        out,
+        "set logscale xy\nset format x '10^{{%L}}'\nset format y '10^{{%L}}'\nset grid\nset key outside right\n"
+        "set title '{}' noenhanced\nset xlabel 'CPU time of a simulated second, in calibrations'\n"
+        "set ylabel 'largest rms distance to the reference, mm'\n",
+        titleOf(result));
     if (band > 0)
         fmt::format_to(out,
                        "set object rectangle from graph 0, graph 0 to graph 1, first {:.6g} fillcolor rgb '#dddddd' "
@@ -212,8 +217,8 @@ std::string gnuplotScript(const CaseResult& result, double calibration) {
         fmt::format_to(out, "set terminal {}\nset output '{}.{}'\nplot \\\n", terminal, fileNameOf(result), extension);
         number = 0;
         for (const auto& [method, runs] : methods) {
-            fmt::format_to(out, "  $method{} using 1:2 with linespoints pointtype {} linewidth 1.5 title '{}', \\\n", number,
-                           number + 4, dynamics::nameOf(method));
+            fmt::format_to(out, "  $method{} using 1:2 with linespoints pointtype {} linewidth 1.5 title '{}', \\\n",
+                           number, number + 4, dynamics::nameOf(method));
             ++number;
         }
         fmt::format_to(out, "  $front using 1:2 with lines linecolor 'black' dashtype 2 linewidth 2 title 'front'\n");

@@ -11,10 +11,10 @@ namespace toile::study {
 
 /// What the numbers were measured with.
 struct Circumstances {
-    std::string program;     ///< version and commit
-    std::string command;     ///< that makes the report again
-    std::string processor;   ///< its name
-    double calibration = 0;  ///< calibrationSeconds() of the same minute [s]
+    std::string program;    ///< version and commit
+    std::string command;    ///< that makes the report again
+    std::string processor;  ///< its name
+    double calibration = 0; ///< calibrationSeconds() of the same minute [s]
 };
 
 /// One record a run, as validation.md section 3 has it; keys that do not apply are absent.
@@ -23,7 +23,8 @@ struct Circumstances {
 /// "flap-100": of files that belong to a case.
 [[nodiscard]] std::string fileNameOf(const CaseResult& result);
 
-/// Tables, orders, the Pareto front and what is concluded, in Markdown. Pictures are named as gnuplotScript() writes them.
+/// Tables, orders, the Pareto front and what is concluded, in Markdown. Pictures are named as gnuplotScript() writes
+/// them.
 [[nodiscard]] std::string accuracyText(const std::vector<CaseResult>& results, const Circumstances& circumstances);
 
 /// A gnuplot program that draws error against run time of a case into NAME.svg and NAME.png beside it.

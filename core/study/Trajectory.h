@@ -12,8 +12,8 @@ namespace toile::study {
 /// A method and how finely it divides time.
 struct Setup {
     dynamics::Method method = dynamics::Method::trBdf2;
-    int steps = 24;     ///< over the whole scene
-    int substeps = 1;   ///< of position-based dynamics, in each step
+    int steps = 24;          ///< over the whole scene
+    int substeps = 1;        ///< of position-based dynamics, in each step
     double tolerance = 1e-4; ///< of implicit methods: IntegratorSettings
 };
 

@@ -136,7 +136,8 @@ void tst_Accuracy::recordsHoldNumbersOrReasons() {
     for (const Json& record : study::recordsOf(result, here)) {
         QVERIFY(parseJson(toLine(record)));
         QCOMPARE(toLine(record).find("null"), std::string::npos);
-        for (const char* key : {"schema", "program", "machine", "scene", "method", "reference", "result", "cost", "status"})
+        for (const char* key :
+             {"schema", "program", "machine", "scene", "method", "reference", "result", "cost", "status"})
             QVERIFY2(record.find(key), key);
         QVERIFY(*record.find("cost")->find("cpuSecondsMedian")->asNumber() > 0);
         QVERIFY(*record.find("result")->find("maximumError")->asNumber() > 0);
