@@ -121,8 +121,9 @@ void tst_LeftOut::whatIsAddedBringsItsOneStage() {
     QCOMPARE(only(without).name, std::string());
     const Heap more = heldBy(with), less = heldBy(without);
     QVERIFY(more.blocks > less.blocks);
-    QVERIFY2(more.bytes - less.bytes >= static_cast<long>(cost.bytes),
-             qPrintable(QString("%1 more on the heap, %2 by its own account").arg(more.bytes - less.bytes).arg(cost.bytes)));
+    QVERIFY2(
+        more.bytes - less.bytes >= static_cast<long>(cost.bytes),
+        qPrintable(QString("%1 more on the heap, %2 by its own account").arg(more.bytes - less.bytes).arg(cost.bytes)));
 }
 
 void tst_LeftOut::whatIsTakenAwayIsGoneToTheLastBlock() {

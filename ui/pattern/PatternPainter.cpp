@@ -52,7 +52,7 @@ void paintCutLine(QPainter& painter, const ViewTransform& view, const FlatPiece&
     painter.drawPath(path);
 }
 
-/// Under a piece that is selected or pointed at: its seams keep their colours.
+/// Round a piece that is selected or pointed at: its seams keep their colours.
 void paintHalo(QPainter& painter, const QPainterPath& shape, QColor colour) {
     colour.setAlphaF(0.35F);
     painter.setBrush(Qt::NoBrush);
@@ -150,19 +150,35 @@ void paintInternalLines(QPainter& painter, const ViewTransform& view, const Piec
     for (const InternalLine& line : piece.internalLines) painter.drawPolyline(onScreen(view, line.points));
 }
 
-/// Below the grain line, in the middle where there is none, under a piece that is lower than the text.
+/// Where a name of this size hides neither grain nor border: in the piece below its grain line, above it, in the middle
+/// where there is none; else under the piece.
+QRectF placeOfName(const ViewTransform& view, const FlatPiece& piece, QSizeF size) {
+    const geometry::Box2 box = boundsOf(piece);
+    QRectF place({}, size);
+    place.moveCenter(view.toScreen(lerp(box.low, box.high, 0.5)));
+    const auto isInside = [&](const QRectF& rect) {
+        const QPolygonF corners(rect.adjusted(-3, -3, 3, 3));
+        return std::ranges::all_of(corners, [&](QPointF corner) { return covers(piece, view.toPattern(corner)); });
+    };
+    std::vector<QRectF> places{place};
+    if (const auto grain = grainLine(view, piece)) {
+        constexpr double apart = 3; // [pixel]
+        places = {place, place};
+        places[0].moveTop(std::max(grain->y1(), grain->y2()) + apart);
+        places[1].moveBottom(std::min(grain->y1(), grain->y2()) - apart);
+    }
+    if (const auto found = std::ranges::find_if(places, isInside); found != places.end()) return *found;
+    place.moveTop(view.toScreen(box.low).y() + 4);
+    return place;
+}
+
 void paintName(QPainter& painter, const ViewTransform& view, const FlatPiece& piece) {
     const geometry::Box2 box = boundsOf(piece);
-    const QPointF centre = view.toScreen(lerp(box.low, box.high, 0.5));
-    const double bottom = view.toScreen(box.low).y();
     const QString name = QString::fromStdString(piece.piece.name);
     const QFontMetricsF metrics(painter.font());
     const QRectF text = metrics.boundingRect(name);
     if (text.width() > (box.high.x - box.low.x) * view.scale) return;
-    QRectF place(0, 0, text.width() + 12, metrics.height() + 4);
-    place.moveCenter(centre);
-    if ((box.high.y - box.low.y) * view.scale < 1.5 * place.height()) place.moveTop(bottom + 4);
-    else if (const auto grain = grainLine(view, piece)) place.moveTop(std::max(grain->y1(), grain->y2()) + 3);
+    const QRectF place = placeOfName(view, piece, {text.width() + 12, metrics.height() + 4});
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(255, 255, 255, 200));
     painter.drawRoundedRect(place, 3, 3);
@@ -183,7 +199,8 @@ void paintHighlights(QPainter& painter, const ViewTransform& view, const FlatPie
                 painter.drawPolyline(onScreen(view, piece.flat(place->loop).edges[place->edge]));
     };
     for (const Item& item : picture.selection) highlight(item, colours::accent);
-    for (const Item& item : picture.hovered) highlight(item, colours::hover);
+    for (const Item& item : picture.hovered)
+        if (!contains(picture.selection, item)) highlight(item, colours::hover);
 }
 
 } // namespace
