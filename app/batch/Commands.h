@@ -55,13 +55,15 @@ struct AvatarOptions {
 [[nodiscard]] int avatar(const AvatarOptions& options);
 
 struct StudyOptions {
-    std::vector<std::string> cases; ///< scenes by name; empty = all
+    std::vector<std::string> cases; ///< scenes by name, empty = all; or one document
     bool full = false;              ///< finer and longer
     std::string out;                ///< folder of the report
     bool quiet = false;
 };
 /// Error against run time of the methods on the built-in scenes.
 [[nodiscard]] int studyAccuracy(const StudyOptions& options, std::stop_token stop);
+/// A document's regions against uniform meshes.
+[[nodiscard]] int studyRegions(const StudyOptions& options, std::stop_token stop);
 
 struct InspectOptions {
     std::string file;

@@ -171,6 +171,15 @@ void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& cho
     accuracy->add_flag("--quiet", options->quiet, "no progress");
     accuracy->callback(
         [options, stop, &chosen] { chosen = [options, stop] { return batch::studyAccuracy(*options, stop); }; });
+
+    auto* regions = study->add_subcommand("regions", "a document's regions against uniform meshes");
+    regions->add_option("FILE", options->cases, "a document with regions")->required()->expected(1);
+    regions->add_flag("--full,!--quick", options->full,
+                      "the reference is twice as fine as the finest region; else as fine as it");
+    regions->add_option("--out", options->out, "folder of report.md and results.jsonl")->required();
+    regions->add_flag("--quiet", options->quiet, "no progress");
+    regions->callback(
+        [options, stop, &chosen] { chosen = [options, stop] { return batch::studyRegions(*options, stop); }; });
 }
 
 } // namespace

@@ -53,7 +53,7 @@ Vec3 DrapedPiece::inTriangle(std::size_t triangle, Vec2 point) const {
     return positions_[a] * w.a + positions_[b] * w.b + positions_[c] * w.c;
 }
 
-Vec3 DrapedPiece::at(Vec2 point) const {
+std::optional<Vec3> DrapedPiece::inside(Vec2 point) const {
     const auto least = [&](int triangle) {
         const auto& [a, b, c] = mesh_.display[triangle];
         return barycentric(mesh_.nodes[a], mesh_.nodes[b], mesh_.nodes[c], point).least();
@@ -62,7 +62,11 @@ Vec3 DrapedPiece::at(Vec2 point) const {
     if (point.x >= low_.x && point.y >= low_.y && column < columns_ && row < rows_)
         for (const int triangle : trianglesIn_[static_cast<std::size_t>(row) * columns_ + column])
             if (least(triangle) >= -1e-9) return inTriangle(triangle, point);
+    return std::nullopt;
+}
 
+Vec3 DrapedPiece::at(Vec2 point) const {
+    if (const auto found = inside(point)) return *found;
     // Outside the old outline: the triangle whose centre is nearest is continued beyond its edge.
     std::size_t best = 0;
     double nearest = std::numeric_limits<double>::infinity();

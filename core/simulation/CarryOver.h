@@ -14,6 +14,8 @@ public:
     DrapedPiece(const meshing::PieceMesh& mesh, std::span<const Vec3> positions);
 
     [[nodiscard]] Vec3 at(Vec2 point) const;
+    /// Nothing for a point that no triangle holds.
+    [[nodiscard]] std::optional<Vec3> inside(Vec2 point) const;
 
 private:
     [[nodiscard]] Vec3 inTriangle(std::size_t triangle, Vec2 point) const;

@@ -8,6 +8,7 @@ class tst_StudyCommand : public QObject {
 private slots:
     void aStudyLeavesItsReport();
     void aSceneThatIsNotThereIsSaid();
+    void aDocumentWithoutRegionsIsSaid();
 };
 
 void tst_StudyCommand::aStudyLeavesItsReport() {
@@ -32,6 +33,15 @@ void tst_StudyCommand::aSceneThatIsNotThereIsSaid() {
     QCOMPARE(finished.status, 1);
     QCOMPARE(finished.err, QString("There is no scene \"skirt\"; there are oscillator, flap, two-corners.\n"));
     QVERIFY(!QFile::exists(folder.filePath("study")));
+}
+
+void tst_StudyCommand::aDocumentWithoutRegionsIsSaid() {
+    const QTemporaryDir folder;
+    const Finished finished =
+        run({"study", "regions", sample("sheet-one-edge.toile"), "--quiet", "--out", folder.path()});
+    QCOMPARE(finished.status, 1);
+    QVERIFY(finished.err.contains("sheet-one-edge.toile: The pattern has no region that is finer than its piece"));
+    QCOMPARE(finished.errorLines().size(), 1);
 }
 
 QTEST_APPLESS_MAIN(tst_StudyCommand)

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/Commands.h"
+#include "app/batch/Console.h"
+#include "app/batch/Opening.h"
+#include "core/base/AtomicFile.h"
+#include "core/io/DocumentFile.h"
+#include "core/study/Regions.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace toile::batch {
+
+int studyRegions(const StudyOptions& options, std::stop_token stop) {
+    namespace fs = std::filesystem;
+    const auto refuse = [](const Error& error) {
+        printError(error);
+        return static_cast<int>(inputWrong);
+    };
+    const std::string& file = options.cases.front();
+    auto document = io::readDocument(file);
+    if (!document) return refuse(document.error());
+    auto opened = openScene(document->document, file);
+    if (!opened) return refuse(opened.error());
+    std::error_code failed;
+    fs::create_directories(options.out, failed);
+    if (failed) return refuse({ErrorCode::io, fmt::format("This folder cannot be made: {}.", failed.message()), {options.out}});
+
+    const double finest = study::finestSpacing(opened->scene.pattern).value_or(0);
+    ProgressBar bar(options.quiet);
+    auto study = study::studyRegions(opened->scene, options.full ? finest / 2 : finest, {.hold = 0}, stop, bar.progress());
+    if (!study) {
+        Error error = study.error();
+        if (error.place.file.empty()) error.place.file = file;
+        return refuse(error);
+    }
+    const std::string command =
+        fmt::format("toile-cli study regions {} --{} --out {}", file, options.full ? "full" : "quick", options.out);
+    const fs::path folder(options.out);
+    if (auto written = writeFileAtomically(folder / "report.md", study::regionsText(*study, file, command)); !written)
+        return refuse(written.error());
+    if (auto written = writeFileAtomically(folder / "results.jsonl", toLine(study::toJson(*study)) + '\n'); !written)
+        return refuse(written.error());
+    fmt::print("{}\n{}/report.md\n", study::verdictOn(*study), options.out);
+    return done;
+}
+
+} // namespace toile::batch

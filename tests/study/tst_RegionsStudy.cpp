@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/Regions.h"
+#include "samples/SmallScenes.h"
+
+#include <QtTest>
+
+using namespace toile;
+using study::RegionsStudy;
+
+namespace {
+
+/// A sheet of 0.4 m held at two corners, with or without a finer upper half.
+simulation::Scene hangingSheet(bool withRegion) {
+    const auto document = samples::squareSheet(samples::SheetPins::twoCorners, 0.4, 0.04);
+    simulation::Scene scene{document.pattern, {}, document.scene};
+    scene.settings.damping = 5; // it does not swing for long
+    if (withRegion) {
+        pattern::Piece piece = *scene.pattern.pieces[0];
+        pattern::Region upper;
+        upper.id = pattern::RegionId{"upper"};
+        upper.name = "upper half";
+        upper.outline = {{{-0.3, 0}, {0.3, 0}, {0.3, 0.3}, {-0.3, 0.3}}};
+        upper.refinement = 1;
+        piece.regions = {upper};
+        scene.pattern.pieces[0] = Shared<pattern::Piece>(std::move(piece));
+    }
+    return scene;
+}
+
+/// rms of coarse, regions, as many particles, fine; and the floor [m].
+RegionsStudy madeUp(double coarse, double regions, double equal, double fine, double floor) {
+    RegionsStudy study{.floor = floor};
+    for (const double rms : {coarse, regions, equal, fine}) {
+        study.layouts.push_back({.particles = 100, .cpuSeconds = 1});
+        study.layouts.back().rms = rms;
+    }
+    return study;
+}
+
+bool says(const std::string& text, const char* what) {
+    return text.find(what) != std::string::npos;
+}
+
+} // namespace
+
+class tst_RegionsStudy : public QObject {
+    Q_OBJECT
+private slots:
+    void theFinestSpacingIsThatOfARegion();
+    void aPatternWithoutRegionsHasNothingToCompare();
+    void layoutsAreComparedAtTheSamePoints();
+    void theVerdictFollowsTheNumbers();
+};
+
+void tst_RegionsStudy::theFinestSpacingIsThatOfARegion() {
+    QVERIFY(!study::finestSpacing(hangingSheet(false).pattern));
+    QCOMPARE(study::finestSpacing(hangingSheet(true).pattern).value_or(0), 0.02);
+}
+
+void tst_RegionsStudy::aPatternWithoutRegionsHasNothingToCompare() {
+    const auto study = study::studyRegions(hangingSheet(false), 0.01, {});
+    QVERIFY(!study);
+    QVERIFY(says(study.error().text, "no region that is finer"));
+}
+
+void tst_RegionsStudy::layoutsAreComparedAtTheSamePoints() {
+    const auto study = study::studyRegions(hangingSheet(true), 0.01, {});
+    QVERIFY2(study, study ? "" : study.error().text.c_str());
+    QCOMPARE(static_cast<int>(study->layouts.size()), 4);
+    const auto &coarse = study->layouts[0], &regions = study->layouts[1], &equal = study->layouts[2],
+               &fine = study->layouts[3];
+    QCOMPARE(coarse.particles, 11 * 11);
+    QCOMPARE(fine.particles, 21 * 21);
+    QCOMPARE(study->reference.particles, 41 * 41);
+    QVERIFY(coarse.particles < regions.particles && regions.particles < fine.particles);
+    QVERIFY(std::abs(equal.particles - regions.particles) < 0.15 * regions.particles);
+    QCOMPARE(study->points, 33 * 33);
+    for (const auto& layout : study->layouts) QVERIFY(layout.atRest);
+    QVERIFY(fine.rms < coarse.rms);
+    QVERIFY(study->floor < fine.rms);
+    QVERIFY(fine.maximum >= fine.rms);
+    QVERIFY(says(study::regionsText(*study, "sheet", "a test"), "| uniform, as many particles |"));
+    QCOMPARE(toLine(study::toJson(*study)).find("null"), std::string::npos);
+}
+
+void tst_RegionsStudy::theVerdictFollowsTheNumbers() {
+    QVERIFY(says(study::verdictOn(madeUp(5e-3, 1e-3, 4e-3, 5e-4, 1e-4)), "Here the regions pay."));
+    QVERIFY(says(study::verdictOn(madeUp(5e-3, 4e-3, 1e-3, 5e-4, 1e-4)), "do not pay"));
+    QVERIFY(says(study::verdictOn(madeUp(5e-3, 4e-3, 3e-3, 5e-4, 2e-3)), "makes no difference"));
+}
+
+QTEST_APPLESS_MAIN(tst_RegionsStudy)
+#include "tst_RegionsStudy.moc"
