@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tools/PolygonTool.h"
+#include "ui/tools/PathTool.h"
 
 namespace toile::ui {
 
@@ -12,9 +12,9 @@ struct PaintOptions {
 };
 
 /// Paints a region by its corners.
-class PaintPolygon : public PolygonTool {
+class PaintPolygon : public PathTool {
 public:
-    explicit PaintPolygon(const PaintOptions& options) : options_(options) {}
+    explicit PaintPolygon(const PaintOptions& options) : PathTool(End::closed), options_(options) {}
 
 protected:
     [[nodiscard]] Effect made(const Desk& desk, const pattern::PieceId& piece,
