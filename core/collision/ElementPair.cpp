@@ -81,6 +81,8 @@ bool segmentPierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, 
     const Vec3 normal = cross(b - a, c - a);
     const double before = dot(normal, p - a), after = dot(normal, q - a);
     if ((before > 0) == (after > 0)) return false;
+    constexpr double inPlane = 1e-12; // [m]: in flat cloth the sign of what remains is rounding
+    if (std::max(std::abs(before), std::abs(after)) <= inPlane * length(normal)) return false;
     const Vec3 along = q - p;
     const auto side = [&](const Vec3& from, const Vec3& to) { return dot(along, cross(from - p, to - p)); };
     const double ab = side(a, b), bc = side(b, c), ca = side(c, a);

@@ -120,6 +120,7 @@ private slots:
     void findsEveryPairThatMeetsOnTheWay();
     void elementsWithACommonCornerAreNoPair();
     void piercingsAreThoseOfTheReferee();
+    void aFlatSheetDoesNotPierceItselfHoweverItLies();
     void aFlatSheetHasNothingWithinHalfACell();
 };
 
@@ -231,6 +232,17 @@ void tst_SelfProximity::piercingsAreThoseOfTheReferee() {
         const auto expected = selfIntersectingTriangles({x, triangles});
         QVERIFY(!expected.empty());
         QVERIFY(std::ranges::equal(met, expected));
+    }
+}
+
+void tst_SelfProximity::aFlatSheetDoesNotPierceItselfHoweverItLies() {
+    const auto triangles = sheetTriangles(20);
+    for (int k = 0; k < 60; ++k) { // edges lie in the planes of triangles beside them but for rounding
+        const double lean = 0.05 * k, c = std::cos(lean), s = std::sin(lean);
+        std::vector<Vec3> sheet = flatSheet(20, 0.0234);
+        for (Vec3& p : sheet) p = Vec3{c * p.x, -s * p.x, p.z} + Vec3{0.119641, 1.013571, -0.0553};
+        SelfProximity proximity(triangles, sheet);
+        QVERIFY2(proximity.piercings(sheet).empty(), qPrintable(QString("leaning by %1").arg(lean)));
     }
 }
 
