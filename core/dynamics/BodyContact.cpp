@@ -99,7 +99,9 @@ std::size_t BodyContact::bytes() const {
 void BodyContact::project(Substep& substep) {
     if (pushing_) pushing_->anchors.clear();
     const double remembered = std::exp(-substep.duration / forceMemory);
-    for (std::size_t s = 0; s < samples_.size(); ++s) {
+    // From the last to the first: particles come first in the list, and where samples between them have pushed them
+    // aside their own friction must still hold them. The other way round a tight band creeps round its body.
+    for (std::size_t s = samples_.size(); s-- > 0;) {
         Sample& sample = samples_[s];
         const Vec3 now = at(sample, substep.positions);
         if (tracker_.stillFar(s, now, sample.distance)) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WornScenes.h" // first: moc 6.4 stumbles over <compare> as the first header
 
+#include "core/material/FabricPresets.h"
 #include "samples/SmallScenes.h"
+#include "samples/Waistband.h"
 
 using namespace toile;
 using namespace toile::simulation;
@@ -36,6 +38,7 @@ private slots:
     void theTimeCanBeChosen();
     void withANeckItEndsAtRest();
     void aRunOfSomeSecondsIsNotProlonged();
+    void aTightBandDoesNotCreepRoundTheBody();
 };
 
 void tst_Waistband::withoutANeckItGoesOnAfterRest() {
@@ -65,6 +68,31 @@ void tst_Waistband::aRunOfSomeSecondsIsNotProlonged() {
     const SewReport report = sewn(tubeRoundPost(farAbove), {.seconds = 1});
     QCOMPARE(report.heldSeconds, 0.0);
     QVERIFY(std::abs(report.simulatedSeconds - 1) < 1e-9);
+}
+
+/// Hoop tension presses the band on with ten times the friction that its weight needs, and no force turns it.
+void tst_Waistband::aTightBandDoesNotCreepRoundTheBody() {
+    const material::Fabric fabric = samples::interlined(material::poplin());
+    pattern::Pattern pattern;
+    pattern.fabrics = {fabric};
+    const pattern::Piece band =
+        samples::draftWaistband(fabric, mannequin().body, {mannequin().measurements.waist, 0.035, 0.025}, 0.0175);
+    pattern.pieces = {band};
+    pattern.seams = {samples::waistbandSeam(band)};
+    Scene scene = onMannequin(pattern);
+    scene.settings.substeps = samples::waistbandSubsteps;
+    auto simulation = Simulation::create(scene);
+    QVERIFY(simulation);
+    const auto goOnTo = [&](double time) {
+        while (simulation->state().time < time)
+            if (!simulation->advance()) qFatal("the band flew away");
+        return simulation->state().positions;
+    };
+    const std::vector<Vec3> before = goOnTo(5), after = goOnTo(7);
+    QVERIFY(simulation->allSeamsMerged());
+    double farthest = 0;
+    for (std::size_t p = 0; p < before.size(); ++p) farthest = std::max(farthest, distance(before[p], after[p]));
+    QVERIFY2(farthest < 0.0005, qPrintable(QString("%1 mm").arg(1000 * farthest)));
 }
 
 QTEST_APPLESS_MAIN(tst_Waistband)
