@@ -26,12 +26,15 @@ std::vector<Stroke> halfRing(double inner, double outer) {
 }
 
 constexpr double droop = 0.30; // each half falls away to its side, just enough to pass beneath the hands [rad]
+constexpr double bandSpacing =
+    0.02;                      // of the waistband at most: longer cells find no hold on the curve of the waist [m]
+constexpr double below = 0.01; // the ridge lies so far below the waistband, which stands round the body already [m]
 
 /// The half plane that falls to the left from a ridge over the centre line, as near as the body lets it come.
 /// Seen from outside, the piece's −y is forward.
 Placement placedHalf(const body::Body& body, double inner, double outer, double height) {
     const double c = std::cos(droop), s = std::sin(droop), clearance = 0.015;
-    Placement placement{{{c, -s, 0}, {0, 0, -1}, {s, c, 0}, {0, height + 0.03, body.landmarks.waist.z}}, {}};
+    Placement placement{{{c, -s, 0}, {0, 0, -1}, {s, c, 0}, {0, height - below, body.landmarks.waist.z}}, {}};
     Transform& frame = placement.transform;
     const auto isTouched = [&](const Vec3& vertex) {
         const Vec3 d = vertex - frame.origin;
@@ -52,7 +55,8 @@ document::Document circleSkirt(const body::Measurements& m, const body::Body& bo
     left.outline = contourOf("skirt-left", halfRing(inner, inner + s.length));
     left.placement = placedHalf(body, inner, inner + s.length, body.landmarks.waist.y - lowered);
     const Piece right = mirrorPiece("skirt-right", "Skirt right", left);
-    const Piece band = draftWaistband(stiff, body, {waist, s.waistbandWidth, s.spacing}, lowered);
+    const Piece band =
+        draftWaistband(stiff, body, {waist, s.waistbandWidth, std::min(s.spacing, bandSpacing)}, lowered);
 
     document::Document document;
     document.pattern.fabrics = {fabric, stiff};

@@ -2,6 +2,7 @@
 #include "WornScenes.h" // first: moc 6.4 stumbles over <compare> as the first header
 
 #include "core/material/FabricPresets.h"
+#include "samples/CircleSkirt.h"
 #include "samples/SmallScenes.h"
 #include "samples/Waistband.h"
 
@@ -39,6 +40,7 @@ private slots:
     void withANeckItEndsAtRest();
     void aRunOfSomeSecondsIsNotProlonged();
     void aTightBandDoesNotCreepRoundTheBody();
+    void aSkirtInDeepFoldsIsPutOnRight();
 };
 
 void tst_Waistband::withoutANeckItGoesOnAfterRest() {
@@ -93,6 +95,22 @@ void tst_Waistband::aTightBandDoesNotCreepRoundTheBody() {
     double farthest = 0;
     for (std::size_t p = 0; p < before.size(); ++p) farthest = std::max(farthest, distance(before[p], after[p]));
     QVERIFY2(farthest < 0.0005, qPrintable(QString("%1 mm").arg(1000 * farthest)));
+}
+
+/// Coarse, and looked at before it rests: how it lies is right, how far it is stretched is not asked yet.
+void tst_Waistband::aSkirtInDeepFoldsIsPutOnRight() {
+    const document::Document skirt =
+        samples::circleSkirt(mannequin().measurements, mannequin().body, {.spacing = 0.040});
+    Scene scene = onMannequin(skirt.pattern);
+    scene.settings = skirt.scene;
+    const SewReport report = sewnFor(4, scene);
+    QVERIFY(report.allClosed());
+    for (const char* words :
+         {"wrong side", "right side out", "is crossed", "No limb", "from the level", "Left and right"})
+        QVERIFY2(!says(report, words), reasonsOf(report).c_str());
+    QCOMPARE(report.contact.selfIntersections, 0);
+    QCOMPARE(report.worn->rightSideOut, 1.0);
+    QVERIFY(report.worn->symmetryDifference); // of the waist, not of the hem
 }
 
 QTEST_APPLESS_MAIN(tst_Waistband)
