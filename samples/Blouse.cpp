@@ -21,7 +21,7 @@ Region region(const Piece& piece, const std::string& name, Polygon outline, int 
 }
 
 /// As figure 2 of Liu 2002: both shoulders with their blades and the middle below the neck at half the spacing, the
-/// small of the back at the main spacing.
+/// small of the back, between its darts, at the main spacing.
 std::vector<Region> backRegions(const Piece& back, double waist) {
     const auto at = [&](const char* vertex) { return vertexPosition(back, vertexId("back", vertex)); };
     const Vec2 neck = at("neck-side-right"), tip = at("shoulder-tip-right"), underarm = at("underarm-right");
@@ -36,7 +36,24 @@ std::vector<Region> backRegions(const Piece& back, double waist) {
     return {region(back, "right shoulder", right, 1), region(back, "left shoulder", mirror(right), 1),
             region(back, "yoke", {{-neck.x, yoke}, {neck.x, yoke}, neck, {-neck.x, neck.y}}, 1),
             region(back, "small of the back",
-                   {{-0.11, waist - 0.06}, {0.11, waist - 0.06}, {0.11, waist + 0.10}, {-0.11, waist + 0.10}}, 0)};
+                   {{-0.06, waist - 0.06}, {0.06, waist - 0.06}, {0.06, waist + 0.10}, {-0.06, waist + 0.10}}, 0)};
+}
+
+/// A diamond cut out across the waist and sewn shut; clockwise from its upper tip, as holes run.
+Contour waistDart(const std::string& piece, const std::string& suffix, Vec2 waist, const WaistDart& dart) {
+    const Vec2 top = waist + Vec2{0, dart.above}, bottom = waist - Vec2{0, dart.below};
+    const Vec2 right = waist + Vec2{dart.intake / 2, 0}, left = waist - Vec2{dart.intake / 2, 0};
+    const auto leg = [&](const std::string& corner, const std::string& name, Vec2 from, Vec2 to) {
+        return line("waist-dart-" + corner + suffix, "waist-dart-" + name + suffix, from, to);
+    };
+    return contourOf(piece, {leg("top", "right-upper", top, right), leg("right", "right-lower", right, bottom),
+                             leg("bottom", "left-lower", bottom, left), leg("left", "left-upper", left, top)});
+}
+
+Seam waistDartSeam(const std::string& name, const Piece& piece, const std::string& suffix) {
+    return seam(name,
+                {along(piece, "waist-dart-right-upper" + suffix), along(piece, "waist-dart-right-lower" + suffix)},
+                {against(piece, "waist-dart-left-upper" + suffix), against(piece, "waist-dart-left-lower" + suffix)});
 }
 
 struct Torso {
@@ -49,11 +66,15 @@ Torso draftTorso(const body::Measurements& m, const Figures& f, const Fabric& fa
                 pieceNamed("back", "Back", fabric, s.spacing)};
     torso.front.outline = halfContour("front-left", block.front);
     torso.back.outline = contourOf("back", wholeFromHalf(block.back, "neck-centre", "-right", "-left"));
+    torso.front.holes = {waistDart("front-left", "", {s.frontWaistDart.fromCentre, -f.frontWaist}, s.frontWaistDart)};
+    const double backWaist = -f.backWaist + s.block.backShortening;
+    torso.back.holes = {waistDart("back", "-right", {s.backWaistDart.fromCentre, backWaist}, s.backWaistDart),
+                        waistDart("back", "-left", {-s.backWaistDart.fromCentre, backWaist}, s.backWaistDart)};
     const NotchDistances at;
     torso.front.notches = {armholeNotch(torso.front, "armhole", at.front, true, false)};
     torso.back.notches = {armholeNotch(torso.back, "armhole-right", at.back, true, true),
                           armholeNotch(torso.back, "armhole-left", at.back, false, true)};
-    torso.back.regions = backRegions(torso.back, -f.backWaist);
+    torso.back.regions = backRegions(torso.back, backWaist);
     return torso;
 }
 
@@ -134,6 +155,10 @@ document::Document blouse(const body::Measurements& m, const body::Body& body, c
          {sewHalf("left", torso.front, negativeHalf(torso.back, "-left"), sleeve.piece, cuff, sleeveDraft),
           sewHalf("right", frontRight, positiveHalf(torso.back, "-right"), sleeveRight, cuffRight, sleeveDraft)})
         pattern.seams.insert(pattern.seams.end(), half.begin(), half.end());
+    pattern.seams.push_back(waistDartSeam("front waist dart left", torso.front, ""));
+    pattern.seams.push_back(waistDartSeam("front waist dart right", frontRight, ""));
+    for (const std::string side : {"left", "right"})
+        pattern.seams.push_back(waistDartSeam("back waist dart " + side, torso.back, "-" + side));
     document.avatarFile = "bodies/mannequin.glb";
     return document;
 }

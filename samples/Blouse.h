@@ -7,11 +7,24 @@
 
 namespace toile::samples {
 
-/// A woman's blouse of poplin: two fronts with a bust dart each, sewn shut down the centre, a back with four regions,
-/// sleeves with cuffs, a round neckline, the hem below the seat. Lengths [m].
+/// A dart that ends above and below the waist and takes in the hollow between. Lengths [m].
+struct WaistDart {
+    double fromCentre = 0;
+    double intake = 0;           ///< at the waist
+    double above = 0, below = 0; ///< from the waist to its tips
+};
+
+/// A woman's blouse of poplin: two fronts with a bust dart and a waist dart each, sewn shut down the centre, a back
+/// with two waist darts and four regions, sleeves with cuffs, a round neckline, the hem below the hip. Lengths [m].
 struct BlouseSettings {
-    double spacing = 0.02;                          ///< ε_m of every piece
-    UpperBlockSettings block{.hemBelowHip = 0.055}; ///< a hem that ends on the seat catches there
+    double spacing = 0.02; ///< ε_m of every piece
+    UpperBlockSettings block{.waistSuppression = 0.012,
+                             .backShortening = 0.006,
+                             .hipFullness = 0.62,
+                             .hemBelowHip = 0.04,
+                             .dartIntake = 0.028};
+    WaistDart frontWaistDart{.fromCentre = 0.095, .intake = 0.024, .above = 0.13, .below = 0.09};
+    WaistDart backWaistDart{.fromCentre = 0.082, .intake = 0.038, .above = 0.145, .below = 0.10};
     double bicepsEase = 0.06;
     double bicepsBelow = 0.10; ///< where the arm's girth is taken, beneath the cap's base
     double wristEase = 0.06;   ///< cuff longer than the wrist

@@ -12,7 +12,8 @@ namespace {
 /// The side seam with its dart closed, from the underarm down: straight, then into the waist, then out over the hip.
 /// Front and back share its shape, so their lengths agree.
 struct SideShape {
-    Vec2 high, waist, hem; ///< from the underarm
+    Vec2 high, waist, hem;     ///< from the underarm
+    double hipFullness = 0.35; ///< see UpperBlockSettings
 };
 
 /// What differs between front and back.
@@ -68,7 +69,8 @@ std::vector<Stroke> draftHalf(const Frame& frame, const Half& half) {
     const double below = waist.y - hem.y, above = high.y - waist.y;
     std::vector<Stroke> strokes{
         line("hem-centre", "hem", {0, hem.y}, hem),
-        cubic("hem-side", "side-hip", hem, {0, 0.35 * below}, {0, -0.35 * below}, waist),
+        cubic("hem-side", "side-hip", hem, {0, frame.side.hipFullness * below},
+              {0, -(0.7 - frame.side.hipFullness) * below}, waist),
         cubic("waist-side", "side-waist", waist, {0, above / 3}, frame.side.high * (above / 3 / -frame.side.high.y),
               high),
     };
@@ -118,12 +120,14 @@ UpperBlock draftUpperBlock(const body::Measurements& m, const Figures& f, const 
                 slope,
                 {}};
     const double backUnderarm = -(f.backNeckDepth + s.armholeDepth);
-    const double sideTop = f.backWaist + backUnderarm;
+    const double backWaist = f.backWaist - s.backShortening;
+    const double sideTop = backWaist + backUnderarm;
     frame.side = {{-0.1 * s.sideDartAt, -s.sideDartAt},
                   {-s.waistSuppression, -sideTop},
-                  {0, -(sideTop + f.waistToHip + s.hemBelowHip)}};
+                  {0, -(sideTop + f.waistToHip + s.hemBelowHip)},
+                  s.hipFullness};
 
-    Half back{.waistY = -f.backWaist,
+    Half back{.waistY = -backWaist,
               .neckY = -(f.backNeckDepth + s.napeGap),
               .neckHandle = 0.5,
               .across = (f.acrossBack + s.acrossBackEase) / 2};
@@ -144,14 +148,14 @@ UpperBlock draftUpperBlock(const body::Measurements& m, const Figures& f, const 
                                  return bustWidth(withUnderarm(front, frame, s.dartIntake, x), bustY) -
                                         (quarter + s.frontMore);
                              },
-                             quarter - 0.008, quarter + 0.05));
+                             quarter - 0.03, quarter + 0.05));
 
     UpperLevels levels;
     levels.bustFront = bustY;
     levels.bustBack = backUnderarm - (underarmOf(draftHalf(frame, front)).y - bustY);
     back.underarmX = rootOf(
         [&](double x) { return bustWidth(withUnderarm(back, frame, 0, x), levels.bustBack) - (quarter - s.frontMore); },
-        quarter - 0.008, quarter + 0.05);
+        quarter - 0.03, quarter + 0.05);
 
     levels.hipFront = front.waistY - f.waistToHip;
     levels.hipBack = back.waistY - f.waistToHip;

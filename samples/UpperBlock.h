@@ -18,6 +18,8 @@ struct UpperBlockSettings {
     double waistSuppression = 0.016; ///< taken in at each side of each half
     double frontMore = -0.004;       ///< half front wider than half back by twice this
     double armholeDepth = 0.20;      ///< nape to underarm
+    double backShortening = 0;       ///< above the waist: what a back shaped to the hollow does not bridge
+    double hipFullness = 0.35; ///< the side's handle above the hem: how far up it keeps the width of the hip [–]
     double hemBelowHip = 0.01;
     double sideDartAt = 0.075;      ///< below the underarm, measured along the side
     double dartTipDistance = 0.025; ///< from the bust point

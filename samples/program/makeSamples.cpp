@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // toile-make-samples FOLDER: drafts all samples and writes FOLDER/*.toile and FOLDER/bodies/*.glb.
+// toile-make-samples blouse BODY OUT.toile: measures another body and drafts the blouse for it.
 #include "core/io/BodyImport.h"
 #include "core/io/ToileFile.h"
+#include "samples/MadeToMeasure.h"
 #include "samples/Samples.h"
 
 #include <cstdio>
@@ -17,11 +19,22 @@ int failed(const Error& error) {
     return 1;
 }
 
+int draftBlouse(const std::string& bodyFile, const std::string& out) {
+    const auto body = io::readBody(bodyFile, {}, nullptr);
+    if (!body) return failed(body.error());
+    auto document = samples::blouseMadeToMeasure(*body);
+    if (!document) return failed(document.error());
+    document->avatarFile = std::filesystem::absolute(bodyFile).string();
+    const auto written = io::writeToile(*document, out);
+    return written ? 0 : failed(written.error());
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
+    if (count == 4 && std::string_view(arguments[1]) == "blouse") return draftBlouse(arguments[2], arguments[3]);
     if (count != 2) {
-        fmt::print(stderr, "usage: toile-make-samples FOLDER\n");
+        fmt::print(stderr, "usage: toile-make-samples FOLDER | blouse BODY OUT.toile\n");
         return 2;
     }
     const std::filesystem::path folder = arguments[1];

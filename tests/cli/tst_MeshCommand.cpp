@@ -75,7 +75,7 @@ void tst_MeshCommand::theReportHasTheKeysThatArePromised() {
                      QString());
     }
     QCOMPARE(missingKeys(*json.find("total"), pieceKeys), QString());
-    QCOMPARE(json.find("seams")->asArray()->size(), std::size_t(17));
+    QCOMPARE(json.find("seams")->asArray()->size(), std::size_t(21));
     for (const Json& seam : *json.find("seams")->asArray())
         QCOMPARE(missingKeys(seam, {"name", "countA", "countB", "lengthA", "lengthB", "ease", "largestSpacingMismatch",
                                     "equalLength", "equalCount", "equalUnitLength"}),

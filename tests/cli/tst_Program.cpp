@@ -102,7 +102,7 @@ void tst_Program::inspectPrintsJson() {
     const Json json = jsonOf(finished.out.toUtf8());
     QCOMPARE(missingKeys(json, {"avatar", "pieces", "seams", "fabrics"}), QString());
     QCOMPARE(json.find("pieces")->asArray()->size(), std::size_t(7));
-    QCOMPARE(json.find("seams")->asArray()->size(), std::size_t(17));
+    QCOMPARE(json.find("seams")->asArray()->size(), std::size_t(21));
     for (const Json& seam : *json.find("seams")->asArray()) // drafted exactly: what is left over is declared
         QVERIFY(std::abs(*seam.find("difference")->asNumber() - *seam.find("declaredEase")->asNumber()) < 1e-6);
 }

@@ -42,6 +42,14 @@ double length(const Piece& piece, const std::string& edge) {
     return edgeLength(piece, edgeId(piece.id.value, edge));
 }
 
+/// Of an edge of the outline or of a hole.
+geometry::Curve curveNamed(const Piece& piece, const EdgeId& id) {
+    const auto holds = [&](const Contour& c) { return std::ranges::count(c.edges, id, &Edge::id) > 0; };
+    const Contour& contour = holds(piece.outline) ? piece.outline : *std::ranges::find_if(piece.holes, holds);
+    const auto edge = std::ranges::find(contour.edges, id, &Edge::id) - contour.edges.begin();
+    return curveOf(contour, static_cast<std::size_t>(edge));
+}
+
 } // namespace
 
 class tst_Garments : public QObject {
@@ -92,9 +100,7 @@ void tst_Garments::seamsStartWithinReach() {
                 for (std::size_t side = 0; side < 2; ++side) {
                     const SeamPart& part = atEnd ? seam.sides[side].back() : seam.sides[side].front();
                     const Piece whole = resolved(pattern, *findPiece(pattern, part.piece));
-                    const auto edge =
-                        std::ranges::find(whole.outline.edges, part.edge, &Edge::id) - whole.outline.edges.begin();
-                    const geometry::Curve curve = curveOf(whole.outline, static_cast<std::size_t>(edge));
+                    const geometry::Curve curve = curveNamed(whole, part.edge);
                     const bool backward = part.reversed != whole.mirror.has_value();
                     ends[side] = placed(*whole.placement, atEnd != backward ? curve.end : curve.start);
                 }
