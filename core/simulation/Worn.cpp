@@ -157,8 +157,9 @@ void judgeNeckOrWaist(WornReport& report, const std::vector<Opening>& openings, 
     if (top == report.openings.end()) return;
     report.waistDrop = top->startHeight - top->height;
     if (std::abs(*report.waistDrop) > settings.waistDrop)
-        report.why.push_back(fmt::format("The uppermost opening lies {:.1f} mm from the level it was placed at.",
-                                         1000 * *report.waistDrop));
+        report.why.push_back(fmt::format("The uppermost opening lies {:.1f} mm {} the level it was placed at.",
+                                         1000 * std::abs(*report.waistDrop),
+                                         *report.waistDrop > 0 ? "below" : "above"));
 }
 
 /// The particles on rims that hang free of the body: what such a hem's folds do is chance.

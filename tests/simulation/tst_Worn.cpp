@@ -216,7 +216,7 @@ void tst_Worn::aWaistThatSlidIsSaid() {
     for (Vec3& p : drape.start) p.y += 0.002;
     const WornReport report = verdictOn(drape);
     QVERIFY(std::abs(*report.waistDrop - 0.016) < 1e-12);
-    QVERIFY(says(report, "The uppermost opening lies 16.0 mm from the level it was placed at."));
+    QVERIFY(says(report, "The uppermost opening lies 16.0 mm below the level it was placed at."));
 }
 
 void tst_Worn::wovenClothThatIsStretchedIsSaid_data() {

@@ -106,7 +106,7 @@ void tst_Waistband::aSkirtInDeepFoldsIsPutOnRight() {
     const SewReport report = sewnFor(4, scene);
     QVERIFY(report.allClosed());
     for (const char* words :
-         {"wrong side", "right side out", "is crossed", "No limb", "from the level", "Left and right"})
+         {"wrong side", "right side out", "is crossed", "No limb", "the level it was placed", "Left and right"})
         QVERIFY2(!says(report, words), reasonsOf(report).c_str());
     QCOMPARE(report.contact.selfIntersections, 0);
     QCOMPARE(report.worn->rightSideOut, 1.0);
