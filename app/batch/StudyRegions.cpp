@@ -24,11 +24,13 @@ int studyRegions(const StudyOptions& options, std::stop_token stop) {
     if (!opened) return refuse(opened.error());
     std::error_code failed;
     fs::create_directories(options.out, failed);
-    if (failed) return refuse({ErrorCode::io, fmt::format("This folder cannot be made: {}.", failed.message()), {options.out}});
+    if (failed)
+        return refuse({ErrorCode::io, fmt::format("This folder cannot be made: {}.", failed.message()), {options.out}});
 
     const double finest = study::finestSpacing(opened->scene.pattern).value_or(0);
     ProgressBar bar(options.quiet);
-    auto study = study::studyRegions(opened->scene, options.full ? finest / 2 : finest, {.hold = 0}, stop, bar.progress());
+    auto study =
+        study::studyRegions(opened->scene, options.full ? finest / 2 : finest, {.hold = 0}, stop, bar.progress());
     if (!study) {
         Error error = study.error();
         if (error.place.file.empty()) error.place.file = file;

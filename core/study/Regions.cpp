@@ -83,8 +83,8 @@ std::vector<std::optional<Vec3>> latticeOf(const simulation::Simulation& simulat
         const auto [low, high] = extentOf(simulation.scene().pattern, piece);
         for (int j = 0; j < across; ++j)
             for (int i = 0; i < across; ++i)
-                lattice.push_back(drape.inside({std::lerp(low.x, high.x, (i + 0.5) / across),
-                                                std::lerp(low.y, high.y, (j + 0.5) / across)}));
+                lattice.push_back(drape.inside(
+                    {std::lerp(low.x, high.x, (i + 0.5) / across), std::lerp(low.y, high.y, (j + 0.5) / across)}));
     }
     return lattice;
 }
@@ -182,15 +182,15 @@ std::string verdictOn(const RegionsStudy& study) {
         const double gain = other.rms - regions.rms;
         if (std::abs(gain) <= study.floor)
             return fmt::format("no difference from {} beyond the floor of {:.2g} mm", than, 1e3 * study.floor);
-        return fmt::format("{:.2g} mm {} than {}", 1e3 * std::abs(gain), gain > 0 ? "nearer to the reference" : "farther off",
-                           than);
+        return fmt::format("{:.2g} mm {} than {}", 1e3 * std::abs(gain),
+                           gain > 0 ? "nearer to the reference" : "farther off", than);
     };
-    text = fmt::format("The regions bring {}, and {}. They take {:.2f} times the particles and {:.2f} times the CPU time of "
-                       "the uniform fine mesh, and are {}. ",
-                       compared(coarse, "the uniform coarse mesh"),
-                       compared(equal, "a uniform mesh of as many particles"),
-                       static_cast<double>(regions.particles) / fine.particles, regions.cpuSeconds / fine.cpuSeconds,
-                       compared(fine, "it"));
+    text = fmt::format(
+        "The regions bring {}, and {}. They take {:.2f} times the particles and {:.2f} times the CPU time of "
+        "the uniform fine mesh, and are {}. ",
+        compared(coarse, "the uniform coarse mesh"), compared(equal, "a uniform mesh of as many particles"),
+        static_cast<double>(regions.particles) / fine.particles, regions.cpuSeconds / fine.cpuSeconds,
+        compared(fine, "it"));
     const bool better = regions.rms + study.floor < equal.rms, worse = equal.rms + study.floor < regions.rms;
     text += better  ? "**Here the regions pay.**"
             : worse ? "**Here the regions do not pay: the same particles spread evenly do better.**"
@@ -199,18 +199,20 @@ std::string verdictOn(const RegionsStudy& study) {
 }
 
 std::string regionsText(const RegionsStudy& study, const std::string& document, const std::string& command) {
-    std::string text = fmt::format(
-        "# Regions: {}\n\n`{}`. Distance to a uniform mesh of {:.3g} mm ({} particles, {:.3g} CPU s) at {} common material "
-        "points; with its lines 4 % closer that mesh differs from itself by {:.3g} mm (rms): the floor. Times are of one "
-        "run.\n\n| layout | least spacing mm | particles | springs | KiB | CPU s | rms mm | largest mm | rms strain % | "
-        "energy J | at rest |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
-        document, command, 1e3 * study.reference.spacing, study.reference.particles, study.reference.cpuSeconds,
-        study.points, 1e3 * study.floor);
+    std::string text = fmt::format("# Regions: {}\n\n`{}`. Distance to a uniform mesh of {:.3g} mm ({} particles, "
+                                   "{:.3g} CPU s) at {} common material "
+                                   "points; with its lines 4 % closer that mesh differs from itself by {:.3g} mm "
+                                   "(rms): the floor. Times are of one "
+                                   "run.\n\n| layout | least spacing mm | particles | springs | KiB | CPU s | rms mm | "
+                                   "largest mm | rms strain % | "
+                                   "energy J | at rest |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
+                                   document, command, 1e3 * study.reference.spacing, study.reference.particles,
+                                   study.reference.cpuSeconds, study.points, 1e3 * study.floor);
     const auto row = [&](const LayoutResult& layout, const std::string& rms, const std::string& largest) {
-        text += fmt::format("| {} | {:.3g} | {} | {} | {} | {:.3g} | {} | {} | {:.3g} | {:.5g} | {} |\n", layout.name,
-                            1e3 * layout.spacing, layout.particles, layout.springs, layout.bytes / 1024,
-                            layout.cpuSeconds, rms, largest, 100 * layout.strain.rms, layout.energy,
-                            layout.atRest ? "yes" : "no");
+        text +=
+            fmt::format("| {} | {:.3g} | {} | {} | {} | {:.3g} | {} | {} | {:.3g} | {:.5g} | {} |\n", layout.name,
+                        1e3 * layout.spacing, layout.particles, layout.springs, layout.bytes / 1024, layout.cpuSeconds,
+                        rms, largest, 100 * layout.strain.rms, layout.energy, layout.atRest ? "yes" : "no");
     };
     for (const LayoutResult& layout : study.layouts)
         row(layout, fmt::format("{:.3g}", 1e3 * layout.rms), fmt::format("{:.3g}", 1e3 * layout.maximum));

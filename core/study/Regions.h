@@ -11,7 +11,8 @@ namespace toile::study {
 
 /// One garment with its meshes made in another way.
 struct Layout {
-    std::string name; ///< "uniform coarse", "regions", "uniform, as many particles", "uniform fine", "reference", "reference again"
+    std::string name; ///< "uniform coarse", "regions", "uniform, as many particles", "uniform fine", "reference",
+                      ///< "reference again"
     simulation::Scene scene;
     double spacing = 0; ///< the least of it [m]
 };
@@ -32,8 +33,9 @@ struct LayoutResult {
 struct RegionsStudy {
     std::vector<LayoutResult> layouts; ///< the reference is not among them
     LayoutResult reference;
-    double floor = 0; ///< rms distance of the reference to itself with lines 4 % closer: nothing below it is told apart [m]
-    int points = 0;   ///< material points at which drapes are compared
+    double floor =
+        0; ///< rms distance of the reference to itself with lines 4 % closer: nothing below it is told apart [m]
+    int points = 0; ///< material points at which drapes are compared
 };
 
 /// Whether finer meshes only in regions pay: the garment as it is drawn against uniform meshes at its main spacing, at
@@ -51,7 +53,8 @@ struct RegionsStudy {
 [[nodiscard]] std::string verdictOn(const RegionsStudy& study);
 
 /// The table and the verdict, in Markdown.
-[[nodiscard]] std::string regionsText(const RegionsStudy& study, const std::string& document, const std::string& command);
+[[nodiscard]] std::string regionsText(const RegionsStudy& study, const std::string& document,
+                                      const std::string& command);
 
 [[nodiscard]] Json toJson(const RegionsStudy& study);
 
