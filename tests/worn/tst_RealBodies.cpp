@@ -3,7 +3,9 @@
 
 #include "core/io/BodyImport.h"
 #include "core/io/GarmentCodeFile.h"
+#include "core/io/ToileFile.h"
 #include "core/simulation/Arrange.h"
+#include "samples/MadeToMeasure.h"
 
 using namespace toile;
 using namespace toile::simulation;
@@ -51,6 +53,7 @@ class tst_RealBodies : public QObject {
 private slots:
     void init();
     void theBlouseOfTheMannequinIsSewnOnAnotherBody();
+    void theBlouseMadeToMeasureIsWorn();
     void importedPatternsAreSewn_data();
     void importedPatternsAreSewn();
 };
@@ -69,6 +72,30 @@ void tst_RealBodies::theBlouseOfTheMannequinIsSewnOnAnotherBody() {
     QCOMPARE(report.worn->turnedLength, 0.0);
     QVERIFY(report.worn->rightSideOut >= 0.99);
     QVERIFY(report.contact.bodyPenetrationMaximum == 0);
+}
+
+/// As the two commands do it: drafted into a file, and sewn from there.
+void tst_RealBodies::theBlouseMadeToMeasureIsWorn() {
+    const body::Body body = woman();
+    const auto drafted = samples::blouseMadeToMeasure(body);
+    QVERIFY2(drafted, drafted ? "" : toString(drafted.error()).c_str());
+    const QTemporaryDir folder;
+    const std::string file = folder.filePath("blouse.toile").toStdString();
+    QVERIFY(io::writeToile(*drafted, file));
+    const auto document = io::readToile(file);
+    QVERIFY(document);
+    auto simulation = Simulation::create({document->pattern, Shared<body::Body>(body), document->scene});
+    QVERIFY(simulation);
+    const auto report = sew(*simulation, {});
+    QVERIFY(report);
+    for (const SeamResult& seam : report->seams) {
+        QVERIFY2(seam.state.merged, seam.state.name.c_str());
+        QVERIFY(seam.state.gapAtMerge <= 0.5e-3);
+    }
+    QVERIFY(report->atRest && *report->residual <= 1e-3);
+    QVERIFY(report->contact.outsideBody);
+    QCOMPARE(openingsOf(*report), ofAShirt);
+    QVERIFY2(report->worn->worn, reasonsOf(*report).c_str());
 }
 
 void tst_RealBodies::importedPatternsAreSewn_data() {
