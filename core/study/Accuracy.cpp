@@ -63,6 +63,11 @@ double median(std::vector<double> values) {
 
 } // namespace
 
+double bandOf(const Reference& reference) {
+    constexpr double rounding = 1e-12; // [m]
+    return std::max(3 * reference.selfError, rounding);
+}
+
 AccuracyPlan accuracyPlan(const std::vector<std::string>& scenes, bool quick) {
     AccuracyPlan plan{.repetitions = quick ? 3 : 5};
     for (const std::string_view name : sceneNames()) {
@@ -111,7 +116,7 @@ Result<CaseResult> studied(const AccuracyCase& which, int repetitions, std::stop
             run.report = trajectory->report;
             run.solved = trajectory->report.accurate;
             run.energyChange = trajectory->energyChange;
-            run.inBand = run.error.maximum < bandFactor * result.reference.selfError;
+            run.inBand = run.error.maximum < bandOf(result.reference);
         }
     for (std::size_t i = 0; i < count; ++i) {
         if (seconds[i].empty()) continue;

@@ -34,6 +34,9 @@ struct Reference {
     double selfError = 0; ///< largest rms distance to the same at twice the step [m]
 };
 
+/// Three times the reference's own error: no run is told to be nearer than this [m].
+[[nodiscard]] double bandOf(const Reference& reference);
+
 struct RunResult {
     Setup setup;
     double step = 0; ///< what the method advances by, substeps counted [s]

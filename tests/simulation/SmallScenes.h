@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/simulation/Scene.h"
+#include "tests/collision/Shapes.h"
 
 #include <initializer_list>
 #include <string>
@@ -22,6 +23,14 @@ inline pattern::Piece polygonPiece(const std::string& id, std::initializer_list<
         ++i;
     }
     return piece;
+}
+
+/// A table of 1 × 1 m, 0.5 m high, round the vertical through the origin.
+inline body::Body box() {
+    body::Body body;
+    body.name = "box";
+    body.mesh = shapes::box({-0.5, 0, -0.5}, {0.5, 0.5, 0.5});
+    return body;
 }
 
 inline material::Fabric plainCloth() {

@@ -66,18 +66,6 @@ StepPlan::StageCost only(const Scene& scene) {
     return costs.size() == 1 ? costs.front() : StepPlan::StageCost{};
 }
 
-/// A table of 1 × 1 m, 0.5 m high.
-body::Body table() {
-    body::Body body;
-    body.name = "table";
-    for (const double x : {-0.5, 0.5})
-        for (const double y : {0.0, 0.5})
-            for (const double z : {-0.5, 0.5}) body.mesh.vertices.push_back({x, y, z});
-    body.mesh.triangles = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
-                           {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
-    return body;
-}
-
 } // namespace
 
 /// What is left out is no object and no byte: counted on the heap, not by what stages say of themselves.
@@ -113,7 +101,7 @@ void tst_LeftOut::whatIsAddedBringsItsOneStage() {
     }
     Scene with = without;
     if (stage == "seams") with = twoSquares(0.05);
-    if (stage == "body contact") with.body = Shared<body::Body>(table());
+    if (stage == "body contact") with.body = Shared<body::Body>(box());
     if (stage == "self-contact") with.settings.selfContact = true;
 
     const StepPlan::StageCost cost = only(with);
@@ -129,7 +117,7 @@ void tst_LeftOut::whatIsAddedBringsItsOneStage() {
 void tst_LeftOut::whatIsTakenAwayIsGoneToTheLastBlock() {
     const Heap before = heldBy(lonePiece());
     Scene scene = lonePiece();
-    scene.body = Shared<body::Body>(table());
+    scene.body = Shared<body::Body>(box());
     scene.settings.selfContact = true;
     QVERIFY(heldBy(scene).blocks > before.blocks);
     scene.body.reset();

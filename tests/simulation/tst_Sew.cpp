@@ -20,18 +20,6 @@ Scene curtain() {
     return scene;
 }
 
-/// A cube under the sheet, far enough below it.
-body::Body cube() {
-    body::Body body;
-    body.name = "cube";
-    for (const double x : {-0.5, 0.5})
-        for (const double y : {0.0, 0.5})
-            for (const double z : {-0.5, 0.5}) body.mesh.vertices.push_back({x, y, z});
-    body.mesh.triangles = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
-                           {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
-    return body;
-}
-
 SewReport sewn(const Scene& scene, const SewSettings& settings = {}) {
     auto simulation = Simulation::create(scene);
     if (!simulation) qFatal("%s", toString(simulation.error()).c_str());
@@ -131,7 +119,7 @@ void tst_Sew::whatTheSceneDoesNotNeedIsNamedWithAReason() {
 
 void tst_Sew::aBodyIsNotLeftOut() {
     Scene scene = twoSquares(0.05);
-    scene.body = Shared<body::Body>(cube());
+    scene.body = Shared<body::Body>(box());
     const SewReport report = sewn(scene, {.seconds = 0.05});
     QVERIFY(!holds(leftOutOf(report), "body contact"));
     QCOMPARE(std::ranges::count(report.stages, "body contact", &StageShare::name), 1);
@@ -140,7 +128,7 @@ void tst_Sew::aBodyIsNotLeftOut() {
 void tst_Sew::withoutLimbsThereIsNoVerdict() {
     Scene scene = twoSquares(0.05);
     QVERIFY(!sewn(scene, {.seconds = 0.05}).worn);
-    scene.body = Shared<body::Body>(cube());
+    scene.body = Shared<body::Body>(box());
     const SewReport report = sewn(scene, {.seconds = 0.05});
     QVERIFY(!report.worn);
     const Json json = toJson(report);

@@ -40,16 +40,6 @@ private:
         const auto found = std::ranges::find(left, stage, &LeftOut::stage);
         return found == left.end() ? "" : found->why;
     }
-    static body::Body box() {
-        body::Body body;
-        body.name = "box";
-        for (const double x : {-0.5, 0.5})
-            for (const double y : {0.0, 0.5})
-                for (const double z : {-0.5, 0.5}) body.mesh.vertices.push_back({x, y, z});
-        body.mesh.triangles = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
-                               {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
-        return body;
-    }
 };
 
 void tst_StepPlan::aLonePieceHasNoStage() {

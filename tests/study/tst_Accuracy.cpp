@@ -36,7 +36,7 @@ private slots:
     void theReferenceOfTheOscillatorIsTheClosedForm();
     void methodsShowTheirOrder_data();
     void methodsShowTheirOrder();
-    void nothingIsReadFromWhatLiesInTheBand();
+    void whatLiesInTheBandStandsAtItsEdge();
     void aRunThatFailsIsSaidAndTheOthersGoOn();
     void whatIsNoSceneIsSaid();
     void itCanBeStopped();
@@ -88,14 +88,17 @@ void tst_Accuracy::methodsShowTheirOrder() {
     QVERIFY(std::abs(std::log2(errors[0] / errors[1]) - order) < 0.1);
 }
 
-void tst_Accuracy::nothingIsReadFromWhatLiesInTheBand() {
+void tst_Accuracy::whatLiesInTheBandStandsAtItsEdge() {
     auto result = studiedCase({{Method::trBdf2, 20}, {Method::trBdf2, 40}, {Method::trBdf2, 80}});
-    result.runs[2].inBand = true;
-    const std::string text = study::accuracyText({result}, here);
-    const auto row = text.substr(text.find("| trbdf2 | 5 |"));
-    QVERIFY(row.substr(0, row.find('\n')).ends_with("|  | in the band |")); // and not on the front
-    result.runs[1].inBand = result.runs[0].inBand = true;
-    QVERIFY(study::accuracyText({result}, here).find("No method came within 1 mm.") != std::string::npos);
+    result.reference.selfError = 0.001; // a band of 3 mm
+    for (auto& run : result.runs) run.inBand = true;
+    const std::string within = study::accuracyText({result}, here);
+    QVERIFY(within.find("| trbdf2 | – | not reached |") != std::string::npos); // a millimetre is not claimed
+    QVERIFY(within.find("No method came within 1 mm.") != std::string::npos);
+    result.reference.selfError = 0.0001;
+    const std::string near = study::accuracyText({result}, here);
+    QVERIFY(near.find("A millimetre is cheapest by trbdf2") != std::string::npos); // 0.3 mm is
+    QVERIFY(study::gnuplotScript(result, 1).find(" 0.3 5\n") != std::string::npos);
 }
 
 void tst_Accuracy::aRunThatFailsIsSaidAndTheOthersGoOn() {
