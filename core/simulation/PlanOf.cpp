@@ -2,6 +2,7 @@
 #include "core/simulation/PlanOf.h"
 
 #include "core/simulation/BodyContactOf.h"
+#include "core/simulation/SeamMeeting.h"
 #include "core/simulation/SelfContactOf.h"
 
 namespace toile::simulation {
@@ -27,13 +28,15 @@ StepPlan planOf(const Scene& scene, const Garment& garment, const collision::Bod
     StepPlan plan;
     leaveOutElements(plan, garment);
 
-    if (!pairs.empty())
-        plan.add(
-            std::make_unique<SeamClosing>(std::move(pairs), SeamClosingSettings{.duration = scene.settings.seamTime}));
+    const SeamClosingSettings closing{.duration = scene.settings.seamTime};
+    if (!pairs.empty()) plan.add(std::make_unique<SeamClosing>(pairs, closing));
     else plan.leaveOut("seams", garment.mergedSeams.empty() ? "the pattern has no seam" : "all seams are merged");
 
     if (body) plan.add(bodyContactOf(scene, garment, *body, positions));
     else plan.leaveOut("body contact", "no body");
+
+    if (body && !pairs.empty()) plan.add(std::make_unique<SeamMeeting>(std::move(pairs), closing));
+    else plan.leaveOut("seams that meet", body ? "all seams are merged" : "no body parts them");
 
     if (!scene.settings.selfContact) plan.leaveOut("self-contact", "the scene does not ask for it");
     else if (!canReachItself(garment)) plan.leaveOut("self-contact", "the cloth is too small to reach itself");

@@ -17,7 +17,7 @@ private slots:
     void aBodyBringsExactlyItsStage();
     void selfContactBringsExactlyItsStage();
     void clothTooSmallToReachItselfHasNoSelfContact();
-    void selfContactComesAfterBodyContact();
+    void contactComesAfterTheSeamsAndSelfContactLast();
     void aSeamClosesThoughItsSidesAreNearEachOther();
     void aRegionBringsSlaves();
     void bendingAndTwistGoWithoutStiffness();
@@ -46,7 +46,7 @@ void tst_StepPlan::aLonePieceHasNoStage() {
     const auto simulation = Simulation::create(lonePiece());
     QVERIFY(simulation);
     QVERIFY(simulation->plan().stages().empty());
-    for (const char* stage : {"seams", "body contact", "self-contact"}) {
+    for (const char* stage : {"seams", "body contact", "seams that meet", "self-contact"}) {
         QVERIFY2(!reasonFor(*simulation, stage).empty(), stage);
         QVERIFY(simulation->plan().find(stage) == nullptr);
     }
@@ -98,13 +98,14 @@ void tst_StepPlan::clothTooSmallToReachItselfHasNoSelfContact() {
     QCOMPARE(reasonFor(*simulation, "self-contact"), std::string("the cloth is too small to reach itself"));
 }
 
-void tst_StepPlan::selfContactComesAfterBodyContact() {
+void tst_StepPlan::contactComesAfterTheSeamsAndSelfContactLast() {
     Scene scene = twoSquares(0.05);
     scene.body = Shared<body::Body>(box());
     scene.settings.selfContact = true;
     const auto simulation = Simulation::create(scene);
     QVERIFY(simulation);
-    QCOMPARE(namesOf(*simulation), (std::vector<std::string>{"seams", "body contact", "self-contact"}));
+    QCOMPARE(namesOf(*simulation),
+             (std::vector<std::string>{"seams", "body contact", "seams that meet", "self-contact"}));
 }
 
 void tst_StepPlan::aSeamClosesThoughItsSidesAreNearEachOther() {

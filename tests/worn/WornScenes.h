@@ -39,6 +39,15 @@ inline bool says(const SewReport& report, const std::string& words) {
                                [&](const std::string& why) { return why.find(words) != std::string::npos; });
 }
 
+/// The limbs that pass through its openings, in the order of the alphabet.
+inline std::vector<std::string> openingsOf(const SewReport& report) {
+    std::vector<std::string> names;
+    for (const OpeningReport& opening : report.worn->openings)
+        names.push_back(opening.crossings == 1 ? opening.name : opening.name + ", not crossed once");
+    std::ranges::sort(names);
+    return names;
+}
+
 /// For the messages of failing tests.
 inline std::string reasonsOf(const SewReport& report) {
     std::string all;

@@ -29,14 +29,6 @@ SewReport sewnOn(const body::Body& body, pattern::Pattern arranged, double secon
     return sewnFor(seconds, {std::move(arranged), Shared<body::Body>(body), {}});
 }
 
-std::vector<std::string> openingsOf(const SewReport& report) {
-    std::vector<std::string> names;
-    for (const OpeningReport& opening : report.worn->openings)
-        names.push_back(opening.crossings == 1 ? opening.name : opening.name + ", not crossed once");
-    std::ranges::sort(names);
-    return names;
-}
-
 pattern::Pattern imported(const std::string& name) {
     auto read = io::readGarmentCode(dataFile("patterns/freesewing/" + name + "_sewable_specification.json"));
     if (!read) qFatal("%s", toString(read.error()).c_str());
