@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/SurfaceData.h"
 
+#include "core/picture/Cavity.h"
+
 #include <algorithm>
 #include <set>
 
@@ -35,41 +37,19 @@ std::array<float, 3> asFloats(const Vec3& v) {
 
 std::vector<SurfaceVertex> surfaceVertices(const std::vector<Vec3>& positions,
                                            const std::vector<geometry::TriangleIndices>& triangles) {
-    struct Ring {
-        Vec3 normal, neighbours;
-        double squaredLengths = 0;
-        int count = 0;
-    };
-    std::vector<Ring> rings(positions.size());
-    const auto at = [&](int vertex) { return isFinite(positions[vertex]) ? positions[vertex] : Vec3{}; };
-    for (const auto& [ia, ib, ic] : triangles) {
-        const Vec3 a = at(ia), b = at(ib), c = at(ic);
-        const Vec3 doubledArea = cross(b - a, c - a);
-        const double ab = squaredLength(b - a), bc = squaredLength(c - b), ca = squaredLength(a - c);
-        const auto add = [&](int vertex, const Vec3& others, double lengths) {
-            rings[vertex].normal += doubledArea;
-            rings[vertex].neighbours += others;
-            rings[vertex].squaredLengths += lengths;
-            rings[vertex].count += 2;
-        };
-        add(ia, b + c, ab + ca);
-        add(ib, a + c, ab + bc);
-        add(ic, a + b, ca + bc);
+    std::vector<Vec3> places = positions, normals(positions.size());
+    for (Vec3& place : places)
+        if (!isFinite(place)) place = {};
+    for (const auto& [a, b, c] : triangles) {
+        const Vec3 doubledArea = cross(places[b] - places[a], places[c] - places[a]);
+        for (const int vertex : {a, b, c}) normals[vertex] += doubledArea;
     }
+    for (Vec3& normal : normals)
+        if (const double area = length(normal); area > 0) normal = normal / area;
+    const std::vector<double> hollow = cavities(places, normals, triangles);
     std::vector<SurfaceVertex> vertices(positions.size());
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const Ring& ring = rings[i];
-        const Vec3 position = at(static_cast<int>(i));
-        const double area = length(ring.normal);
-        const Vec3 normal = area > 0 ? ring.normal / area : Vec3{};
-        double cavity = 0;
-        if (ring.squaredLengths >
-            0) { // on a sphere of radius R the mean neighbour lies s²/(2R) below the tangent plane
-            const double rise = dot(ring.neighbours / ring.count - position, normal);
-            cavity = std::clamp(2 * rise * ring.count / ring.squaredLengths * cavityLength, -1.0, 1.0);
-        }
-        vertices[i] = {asFloats(position), asFloats(normal), static_cast<float>(cavity)};
-    }
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        vertices[i] = {asFloats(places[i]), asFloats(normals[i]), static_cast<float>(hollow[i])};
     return vertices;
 }
 

@@ -13,11 +13,8 @@ namespace toile::picture {
 struct SurfaceVertex {
     std::array<float, 3> position{}; ///< [m]
     std::array<float, 3> normal{};   ///< of unit length, of the right side
-    float cavity = 0; ///< how hollow the right side is here: mean curvature × cavityLength, clamped to ±1 [–]
+    float cavity = 0;                ///< how hollow the right side is here, as the sky sees it, −1 … 1 [–]
 };
-
-/// A hollow of this radius counts fully [m].
-inline constexpr double cavityLength = 0.02;
 
 /// Smooth normals and cavities of a surface. Positions that are not finite become the origin, so that a
 /// broken simulation can still be looked at.

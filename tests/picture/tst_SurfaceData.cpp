@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/picture/Cavity.h"
 #include "core/picture/SurfaceData.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 using namespace toile;
 using namespace toile::picture;
@@ -54,6 +56,8 @@ private slots:
     void normalsPointToTheRightSide();
     void aFlatSurfaceIsNeitherHollowNorRound();
     void cavityIsTheMeanCurvatureOfACylinder();
+    void aFoldIsAsHollowOnEveryMesh();
+    void shallowRipplesHideNoSky();
     void brokenPositionsDoNotSpread();
     void coloursFollowPieceRegionAndSelection();
     void seamsRunAlongEdgesOnly();
@@ -86,6 +90,33 @@ void tst_SurfaceData::cavityIsTheMeanCurvatureOfACylinder() {
         QVERIFY2(std::abs(cavity - sign * mean * cavityLength) < 0.02 * mean * cavityLength,
                  QByteArray::number(cavity));
     }
+}
+
+namespace {
+
+/// Of the bottom of a valley −a·cos(2πx/λ) on a net of this spacing [–].
+double cavityOfValley(double amplitude, double wave, double spacing) {
+    const int n = 2 * static_cast<int>(std::round(0.15 / spacing));
+    const Net net = netOver(n, n * spacing / 2,
+                            [&](double x, double) { return -amplitude * std::cos(2 * std::numbers::pi * x / wave); });
+    return surfaceVertices(net.positions, net.triangles)[static_cast<std::size_t>(middleOf(n))].cavity;
+}
+
+} // namespace
+
+void tst_SurfaceData::aFoldIsAsHollowOnEveryMesh() {
+    const double fine = cavityOfValley(0.004, 0.12, 0.004); // mean curvature 5.5 1/m, 0.11 before it is evened out
+    QVERIFY2(fine > 0.08 && fine < 0.11, QByteArray::number(fine));
+    for (const double spacing : {0.005, 0.01}) // the second differences of the coarser net are 2 % low
+        QVERIFY2(std::abs(cavityOfValley(0.004, 0.12, spacing) - fine) < 0.05 * fine, QByteArray::number(spacing));
+    QVERIFY(std::abs(cavityOfValley(0.004, 0.12, 0.02) - fine) < 0.15 * fine); // six nodes to a fold
+}
+
+void tst_SurfaceData::shallowRipplesHideNoSky() {
+    const double amplitude = 0.3e-3, wave = 0.03; // mean curvature 6.6 1/m, 0.13 before it is evened out
+    for (const double spacing : {0.005, 0.01})
+        QVERIFY2(std::abs(cavityOfValley(amplitude, wave, spacing)) < 0.02,
+                 QByteArray::number(cavityOfValley(amplitude, wave, spacing)));
 }
 
 void tst_SurfaceData::brokenPositionsDoNotSpread() {
