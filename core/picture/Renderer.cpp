@@ -180,7 +180,7 @@ void Renderer::State::send(const RenderScene& scene) {
         sentTopology = frame.topology;
     }
     if (!same(sentFrame, scene.frame)) {
-        uploadVertices(gl, cloth, surfaceVertices(frame.positions, topology.triangles));
+        uploadVertices(gl, cloth, surfaceVertices(frame.positions, topology.triangles, topology.seams));
         meanLineLength = meanLength(topology.meshLines, frame.positions);
     }
     sentFrame = scene.frame;

@@ -4,6 +4,7 @@
 #include "core/picture/Cavity.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace toile::picture {
@@ -33,23 +34,40 @@ std::array<float, 3> asFloats(const Vec3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+/// For each vertex one that stands for all that are sewn to it.
+std::vector<int> sewnPoints(const std::vector<Vec3>& places, const std::vector<Vec3>& normals,
+                            const std::vector<std::vector<std::array<int, 2>>>& seams) {
+    std::vector<int> point(places.size());
+    std::iota(point.begin(), point.end(), 0);
+    const auto root = [&](int vertex) {
+        while (point[vertex] != vertex) vertex = point[vertex] = point[point[vertex]];
+        return vertex;
+    };
+    for (const auto& pairs : seams)
+        for (const auto& [a, b] : pairs)
+            if (places[a] == places[b] && dot(normals[a], normals[b]) > 0)
+                point[std::max(root(a), root(b))] = std::min(root(a), root(b));
+    for (std::size_t i = 0; i < point.size(); ++i) point[i] = root(static_cast<int>(i));
+    return point;
+}
+
 } // namespace
 
 std::vector<SurfaceVertex> surfaceVertices(const std::vector<Vec3>& positions,
-                                           const std::vector<geometry::TriangleIndices>& triangles) {
-    std::vector<Vec3> places = positions, normals(positions.size());
-    for (Vec3& place : places)
+                                           const std::vector<geometry::TriangleIndices>& triangles,
+                                           const std::vector<std::vector<std::array<int, 2>>>& seams) {
+    geometry::TriangleMesh surface{positions, triangles};
+    for (Vec3& place : surface.vertices)
         if (!isFinite(place)) place = {};
-    for (const auto& [a, b, c] : triangles) {
-        const Vec3 doubledArea = cross(places[b] - places[a], places[c] - places[a]);
-        for (const int vertex : {a, b, c}) normals[vertex] += doubledArea;
-    }
-    for (Vec3& normal : normals)
-        if (const double area = length(normal); area > 0) normal = normal / area;
-    const std::vector<double> hollow = cavities(places, normals, triangles);
+    const std::vector<int> point = sewnPoints(surface.vertices, geometry::vertexNormals(surface), seams);
+    for (geometry::TriangleIndices& corners : surface.triangles)
+        for (int& corner : corners) corner = point[corner];
+    const std::vector<Vec3> normals = geometry::vertexNormals(surface);
+    const std::vector<double> hollow = cavities(surface.vertices, normals, surface.triangles);
     std::vector<SurfaceVertex> vertices(positions.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
-        vertices[i] = {asFloats(places[i]), asFloats(normals[i]), static_cast<float>(hollow[i])};
+        vertices[i] = {asFloats(surface.vertices[i]), asFloats(normals[point[i]]),
+                       static_cast<float>(hollow[point[i]])};
     return vertices;
 }
 

@@ -17,9 +17,11 @@ struct SurfaceVertex {
 };
 
 /// Smooth normals and cavities of a surface. Positions that are not finite become the origin, so that a
-/// broken simulation can still be looked at.
-[[nodiscard]] std::vector<SurfaceVertex> surfaceVertices(const std::vector<Vec3>& positions,
-                                                         const std::vector<geometry::TriangleIndices>& triangles);
+/// broken simulation can still be looked at. A seam's pairs of vertices that lie in one place are one point of the
+/// surface, unless it is folded there by more than 90°.
+[[nodiscard]] std::vector<SurfaceVertex>
+surfaceVertices(const std::vector<Vec3>& positions, const std::vector<geometry::TriangleIndices>& triangles,
+                const std::vector<std::vector<std::array<int, 2>>>& seams = {});
 
 /// Red, green, blue of each triangle of the cloth's right side; the fourth byte is 0 where the piece is
 /// selected, otherwise 255.

@@ -58,6 +58,7 @@ private slots:
     void cavityIsTheMeanCurvatureOfACylinder();
     void aFoldIsAsHollowOnEveryMesh();
     void shallowRipplesHideNoSky();
+    void aSewnSeamIsSmoothUnlessItIsFolded();
     void brokenPositionsDoNotSpread();
     void coloursFollowPieceRegionAndSelection();
     void seamsRunAlongEdgesOnly();
@@ -117,6 +118,23 @@ void tst_SurfaceData::shallowRipplesHideNoSky() {
     for (const double spacing : {0.005, 0.01})
         QVERIFY2(std::abs(cavityOfValley(amplitude, wave, spacing)) < 0.02,
                  QByteArray::number(cavityOfValley(amplitude, wave, spacing)));
+}
+
+void tst_SurfaceData::aSewnSeamIsSmoothUnlessItIsFolded() {
+    // Two squares side by side along y, the right one turned about their common edge.
+    const auto normalsAtTheSeam = [](double fold, double gap) {
+        const double x = std::cos(fold), z = std::sin(fold);
+        const std::vector<Vec3> positions{{-1, 0, 0},  {0, 0, 0},       {0, 1, 0},       {-1, 1, 0},
+                                          {gap, 0, 0}, {gap + x, 0, z}, {gap + x, 1, z}, {gap, 1, 0}};
+        const auto vertices =
+            surfaceVertices(positions, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}, {{{1, 4}, {2, 7}}});
+        return std::array{vertices[1].normal, vertices[4].normal};
+    };
+    const auto smooth = normalsAtTheSeam(0.8, 0), folded = normalsAtTheSeam(1.7, 0), open = normalsAtTheSeam(0.8, 1e-4);
+    QCOMPARE(smooth[0], smooth[1]);
+    QVERIFY(smooth[0][0] < -0.1f && smooth[0][0] > -0.7f); // between the normals of both sides
+    QCOMPARE(folded[0][0], 0.0f);                          // each side keeps its own
+    QCOMPARE(open[0][0], 0.0f);
 }
 
 void tst_SurfaceData::brokenPositionsDoNotSpread() {
