@@ -8,9 +8,10 @@ namespace toile::simulation {
 /// Puts both particles of a pair that has nearly met into one place, their common centre of mass, once contact with
 /// the body has had its say.
 ///
-/// Where the cloth beside a seam rests on the body on one side only, the seam carries the force F of that contact across.
-/// Contact comes after the seams, so it leaves each substep of length h with a gap of F h² (1/m_a + 1/m_b): at 20 mm
-/// spacing 0.03 N part the light particles of a border by 0.8 mm, and a seam that nothing blocks would never merge.
+/// Where the cloth beside a seam rests on the body on one side only, the seam carries the force F of that contact
+/// across. Contact comes after the seams, so it leaves each substep of length h with a gap of F h² (1/m_a + 1/m_b): at
+/// 20 mm spacing 0.03 N part the light particles of a border by 0.8 mm, and a seam that nothing blocks would never
+/// merge.
 class SeamMeeting final : public dynamics::Stage {
 public:
     SeamMeeting(std::vector<SeamPair> pairs, SeamClosingSettings settings);
