@@ -11,7 +11,9 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMouseEvent>
+#include <QSettings>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 
@@ -19,9 +21,11 @@
 
 namespace toile::ui {
 
-/// Before the first window: settings of tests stay away from the user's.
+/// Before the first window: settings stay away from the user's, and from those of tests that run at the same time.
 inline void prepareApplication() {
+    static const QTemporaryDir settings;
     QStandardPaths::setTestModeEnabled(true);
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
     QApplication::setOrganizationName(QStringLiteral("toile-tests"));
     applyTheme(*qApp);
 }

@@ -218,6 +218,9 @@ void tst_View3D::theGizmoStandsInTheMiddleOfTheSelectedPiece() {
     QVERIFY(!view->scene().overlay.empty());
     view->setGizmo({});
     QVERIFY(view->scene().overlay.empty());
+    view->setSelection("a piece whose scene is still being built");
+    view->setGizmo(Transform{});
+    QVERIFY(!view->gizmo());
 }
 
 void tst_View3D::draggingAnArrowSignalsThePlacement() {

@@ -118,10 +118,11 @@ void View3D::setSelection(const std::string& pieceId) {
     changed();
 }
 
-void View3D::setGizmo(const std::optional<Transform>& placement, const std::optional<Vec3>& pivot) {
+void View3D::setGizmo(const std::optional<Transform>& placement) {
     if (gizmo_ && gizmo_->isDragging() && placement) return;
     gizmo_.reset();
-    if (placement) gizmo_.emplace(*placement, pivot ? *pivot : middleOfSelection());
+    const std::optional<Vec3> pivot = middleOfSelection();
+    if (placement && pivot) gizmo_.emplace(*placement, *pivot);
     changed();
 }
 
@@ -131,8 +132,8 @@ void View3D::setCamera(const picture::Camera& camera) {
     changed();
 }
 
-Vec3 View3D::middleOfSelection() const {
-    if (!scene_.frame) return {};
+std::optional<Vec3> View3D::middleOfSelection() const {
+    if (!scene_.frame) return std::nullopt;
     const simulation::Frame& frame = **scene_.frame;
     for (const auto& piece : frame.topology->pieces)
         if (piece.id == scene_.selectedPiece && piece.vertexCount > 0) {
@@ -140,7 +141,7 @@ Vec3 View3D::middleOfSelection() const {
             const geometry::Box3 box = geometry::boundsOf({first, first + piece.vertexCount});
             return (box.low + box.high) * 0.5;
         }
-    return {};
+    return std::nullopt;
 }
 
 void View3D::viewFront() {

@@ -35,10 +35,9 @@ public:
     void setColours(std::map<std::string, picture::Colour> pieces, std::vector<picture::Colour> seams);
     /// Empty = none.
     void setSelection(const std::string& pieceId);
-    /// Shows arrows and rings that move the selected piece; absent hides them. They stand at `pivot` [m,
-    /// world], or where that is absent at the middle of the selected piece as the frame has it. A drag that
-    /// is under way goes on.
-    void setGizmo(const std::optional<Transform>& placement, const std::optional<Vec3>& pivot = {});
+    /// Shows arrows and rings that move the selected piece; absent hides them. They stand in the middle of the piece
+    /// as the frame has it; while the frame has not got it yet there are none. A drag that is under way goes on.
+    void setGizmo(const std::optional<Transform>& placement);
     void setCamera(const picture::Camera& camera);
     void setCameraHabits(CameraHabits habits) { habits_ = habits; }
 
@@ -79,7 +78,7 @@ protected:
 
 private:
     [[nodiscard]] GizmoView gizmoView() const { return {camera_, viewport()}; }
-    [[nodiscard]] Vec3 middleOfSelection() const;
+    [[nodiscard]] std::optional<Vec3> middleOfSelection() const;
     void install(std::unique_ptr<SceneHost> host);
     void showRaster();
     void look(picture::ViewDirection direction);
