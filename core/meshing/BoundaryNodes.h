@@ -13,6 +13,7 @@ namespace toile::meshing {
 struct BoundarySpot {
     int loop = 0, edge = 0;
     double fraction = 0;
+    friend bool operator==(const BoundarySpot&, const BoundarySpot&) = default;
 };
 
 /// The frozen nodes on the border of one piece, numbered along its loops.
@@ -22,6 +23,7 @@ struct BoundaryNodes {
     std::vector<std::vector<EdgeNodes>> loops;    ///< [loop][edge]
     std::vector<std::vector<int>> rings;          ///< closed, the piece on the left
     std::vector<std::vector<BoundarySpot>> spots; ///< of the segment that starts at each ring node
+    friend bool operator==(const BoundaryNodes&, const BoundaryNodes&) = default;
 };
 
 [[nodiscard]] BoundaryNodes boundaryNodes(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,

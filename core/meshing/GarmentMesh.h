@@ -13,12 +13,14 @@ namespace toile::meshing {
 struct SlaveNode {
     int node = 0;
     std::vector<std::pair<int, double>> masters;
+    friend bool operator==(const SlaveNode&, const SlaveNode&) = default;
 };
 
 /// A grain-parallel rectangle; corners (−weft,−warp), (+weft,−warp), (+weft,+warp), (−weft,+warp).
 struct Rectangle {
     std::array<int, 4> nodes{};
     int region = -1; ///< index into PieceInput::regions; −1 = the main region
+    friend bool operator==(const Rectangle&, const Rectangle&) = default;
 };
 
 /// Counter-clockwise. Triangles of one merged quad name each other.
@@ -26,12 +28,14 @@ struct Triangle {
     std::array<int, 3> nodes{};
     int region = -1;
     int mergedWith = -1; ///< index of the other triangle; −1 = none
+    friend bool operator==(const Triangle&, const Triangle&) = default;
 };
 
 /// A node on a boundary edge.
 struct EdgeNode {
     int node = 0;
     double fraction = 0; ///< of the edge's arc length
+    friend bool operator==(const EdgeNode&, const EdgeNode&) = default;
 };
 
 /// The nodes of one boundary edge from its start to its end, both included. Where many unsewn straight edges much
@@ -47,6 +51,7 @@ struct PieceMesh {
     std::vector<SlaveNode> slaves;
     std::vector<std::vector<EdgeNodes>> loops; ///< [loop][edge]; loop 0 = outline
     std::vector<std::array<int, 3>> display;   ///< triangles over all nodes without cracks at region joints
+    friend bool operator==(const PieceMesh&, const PieceMesh&) = default;
 };
 
 struct NodeRef {
@@ -57,6 +62,7 @@ struct NodeRef {
 /// The nodes that are sewn together, first pair at the start of the seam.
 struct SeamNodes {
     std::vector<std::array<NodeRef, 2>> pairs;
+    friend bool operator==(const SeamNodes&, const SeamNodes&) = default;
 };
 
 struct RegionReport {
@@ -66,6 +72,7 @@ struct RegionReport {
     int cells = 0;
     double displacement = 0; ///< Hausdorff distance of the final border to the painted one [m]
     double areaChange = 0;   ///< [m²]
+    friend bool operator==(const RegionReport&, const RegionReport&) = default;
 };
 
 /// Quality of one piece; see docs/meshing.md.
@@ -85,6 +92,7 @@ struct PieceReport {
     double seconds = 0; ///< of meshing, without the measuring for this report
     std::size_t bytes = 0;
     std::vector<RegionReport> regions;
+    friend bool operator==(const PieceReport&, const PieceReport&) = default;
 };
 
 /// The angle that this part [–] of all corners lies below, in whole degrees.
@@ -95,6 +103,7 @@ struct SeamReport {
     int countA = 0, countB = 0;                ///< sewing points of each side
     double lengthA = 0, lengthB = 0, ease = 0; ///< ease as declared [m]
     double largestSpacingMismatch = 0;         ///< largest |a − b| / max(a, b) of two sewn stretches [–]
+    friend bool operator==(const SeamReport&, const SeamReport&) = default;
 };
 
 /// The three conditions of Liu 2002 for two edges that are sewn: equal lengths, equal numbers of sewing points, equal
@@ -113,6 +122,7 @@ struct MeshReport {
     PieceReport total;
     std::vector<SeamReport> seams;
     std::vector<Warning> warnings;
+    friend bool operator==(const MeshReport&, const MeshReport&) = default;
 };
 
 /// The meshes of all pieces and how they are sewn.
@@ -120,6 +130,7 @@ struct GarmentMesh {
     std::vector<PieceMesh> pieces;
     std::vector<SeamNodes> seams;
     MeshReport report;
+    friend bool operator==(const GarmentMesh&, const GarmentMesh&) = default;
 };
 
 struct MeshSettings {

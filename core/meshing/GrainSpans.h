@@ -35,6 +35,7 @@ struct GrainSpan {
 struct GrainStretch {
     double low = 0, high = 0; ///< along the axis, in the frame [m]
     int parts = 1;
+    friend bool operator==(const GrainStretch&, const GrainStretch&) = default;
 };
 
 /// By axis.

@@ -31,6 +31,7 @@ struct BoundaryEdge {
     Curve curve;
     std::vector<double> notches; ///< fractions of the arc length, rising, inside (0, 1)
     std::string label;           ///< the user's name, for messages
+    friend bool operator==(const BoundaryEdge&, const BoundaryEdge&) = default;
 };
 
 /// A closed chain of edges: each starts where the one before ends.
@@ -41,6 +42,7 @@ struct RegionInput {
     Polygon outline;
     std::vector<Polygon> holes;
     int refinement = 1; ///< m ≥ 0: spacing ε_m / 2^m
+    friend bool operator==(const RegionInput&, const RegionInput&) = default;
 };
 
 struct PieceInput {
@@ -54,6 +56,7 @@ struct PieceInput {
     RegionBorder border = RegionBorder::snap;
     bool mirrored = false; ///< mesh the mirror image (x ↦ −x of the grain frame) and reflect back, so that a pair of
                            ///< pieces gets a mirror pair of meshes
+    friend bool operator==(const PieceInput&, const PieceInput&) = default;
 };
 
 /// A stretch of a boundary edge, from < to along the loop's direction; reversed = walked from `to` to `from`.

@@ -20,6 +20,7 @@ void balance(Lattice& lattice);
 struct SpacingSeed {
     Vec2 a, b;           ///< border segment in the frame [m]
     int largestDivision; ///< how far the seed may divide a cell
+    friend bool operator==(const SpacingSeed&, const SpacingSeed&) = default;
 };
 
 /// Divides cells along the border until they suit its node spacing.

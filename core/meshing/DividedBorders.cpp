@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/meshing/DividedBorders.h"
+
+#include <algorithm>
+
+namespace toile::meshing {
+namespace {
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// Doubling where parts of the border run too near one another ends at so many nodes of a piece, and so many
+/// times those it began with.
+constexpr std::size_t mostBorderNodes = 100000, mostTimesNodes = 16;
+
+/// Doubles each stretch once, however many of its segments are too coarse.
+void refineOnce(const std::vector<BoundarySpot>& spots, int piece, BoundaryDivision& division) {
+    std::vector<int> done;
+    for (const BoundarySpot& spot : spots) {
+        division.takeEveryVertex(piece, spot.loop);
+        for (const Stretch& stretch : division.stretches(piece, spot.loop, spot.edge)) {
+            if (spot.fraction < stretch.from || spot.fraction > stretch.to) continue;
+            if (std::find(done.begin(), done.end(), stretch.group) != done.end()) continue;
+            done.push_back(stretch.group);
+            division.refine(stretch.group);
+        }
+    }
+}
+
+/// Refuses nodes so near one another that the integer grid could not tell a straight line from a bent one.
+Result<void> nodesApart(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
+                        const BoundaryDivision& division) {
+    constexpr double least = 64; // units
+    for (std::size_t p = 0; p < input.pieces.size(); ++p)
+        for (int loop = 0; loop < loopCount(input.pieces[p]); ++loop)
+            for (int e = 0; e < static_cast<int>(loopOf(input.pieces[p], loop).size()); ++e) {
+                const double length = boundaries[p].loops[at(loop)].edges[at(e)].length;
+                for (const Stretch& stretch : division.stretches(static_cast<int>(p), loop, e)) {
+                    const int count = division.count(stretch);
+                    const double spacing = length * (stretch.to - stretch.from) / count;
+                    if (count > 1 && spacing < least * boundaries[p].frame.unit)
+                        return fail(ErrorCode::invalidInput,
+                                    "What is sewn to the edge asks for " + std::to_string(count) + " nodes on " +
+                                        millimetres(spacing * count) +
+                                        " of it; gather less, or choose larger spacings.",
+                                    {.object = nameOf(input.pieces[p], loop, e)});
+                }
+            }
+    return {};
+}
+
+} // namespace
+
+Result<DividedBorders> dividedBorders(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
+                                      const std::vector<CheckedSeam>& seams, const FixedPoints& points,
+                                      const SpacingAlong& spacing) {
+    auto created = BoundaryDivision::create(input, boundaries, seams, points, spacing);
+    if (!created) return tl::unexpected(created.error());
+    DividedBorders borders{std::move(*created), {}};
+    if (auto apart = nodesApart(input, boundaries, borders.division); !apart) return tl::unexpected(apart.error());
+    std::vector<std::size_t> firstCounts;
+    for (;;) {
+        bool coarse = false;
+        borders.nodes.clear();
+        for (std::size_t p = 0; p < input.pieces.size(); ++p) {
+            const BoundaryNodes& nodes = borders.nodes.emplace_back(
+                boundaryNodes(input.pieces[p], static_cast<int>(p), boundaries[p], borders.division));
+            if (firstCounts.size() <= p) firstCounts.push_back(nodes.points.size());
+            const std::vector<BoundarySpot> spots = spotsTooCoarse(nodes);
+            if (spots.empty()) continue;
+            coarse = true;
+            if (nodes.points.size() > std::max(mostBorderNodes, mostTimesNodes * firstCounts[p]))
+                return fail(ErrorCode::invalidInput,
+                            "Two parts of the border run too near one another to be divided into nodes.",
+                            {.object = nameOf(input.pieces[p], spots.front().loop, spots.front().edge)});
+            refineOnce(spots, static_cast<int>(p), borders.division);
+        }
+        if (!coarse) return borders;
+    }
+}
+
+} // namespace toile::meshing

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/meshing/GarmentMesher.h"
+
+#include "core/base/Parallel.h"
+#include "core/meshing/BorderSpacing.h"
+#include "core/meshing/DividedBorders.h"
+#include "core/meshing/PieceMesher.h"
+#include "core/meshing/Quality.h"
+#include "core/meshing/SewnNodes.h"
+
+#include <chrono>
+
+namespace toile::meshing {
+namespace {
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// The main mesh of a piece with its regions, and what it was laid for.
+struct LaidLattice {
+    std::vector<Vec2> seamEnds;
+    GrainStretches stretches;
+    Lattice lattice;
+    std::vector<RegionReport> regions;
+    std::vector<Warning> warnings;
+};
+
+/// What a piece's mesh was made of beside its lattice.
+struct FrozenBorder {
+    BoundaryNodes nodes;
+    std::vector<SpacingSeed> seeds;
+    friend bool operator==(const FrozenBorder&, const FrozenBorder&) = default;
+};
+
+/// Each part is worth something only together with those above it.
+struct PieceMemory {
+    PieceInput input;
+    std::optional<LaidLattice> laid;
+    std::optional<FrozenBorder> meshed; ///< its mesh and report are those of the garment
+};
+
+/// The ends of seam parts on a piece, in its frame.
+std::vector<Vec2> seamEnds(const std::vector<CheckedSeam>& seams, int piece, const PieceBoundary& boundary) {
+    std::vector<Vec2> ends;
+    for (const CheckedSeam& seam : seams)
+        for (const SeamChain& side : seam.sides)
+            for (const ChainPart& part : side.parts)
+                for (const double fraction : {part.part.from, part.part.to})
+                    if (part.part.piece == piece)
+                        ends.push_back(boundary.frame.frameOf(
+                            boundary.loops[at(part.part.loop)].edges[at(part.part.edge)].arc.pointAt(fraction)));
+    return ends;
+}
+
+} // namespace
+
+struct GarmentMesher::Memory {
+    MeshSettings settings;
+    MeshingWork work;
+    std::vector<PieceMemory> pieces;
+    std::vector<PieceBoundary> boundaries;
+    GarmentMesh garment;
+
+    Result<void> checkPieces(const MeshInput& input);
+    Result<std::vector<CheckedSeam>> checkSeams(const MeshInput& input);
+    Result<void> layLattice(const MeshInput& input, const std::vector<CheckedSeam>& seams, std::size_t piece,
+                            GrainStretches stretches);
+    Result<DividedBorders> divideBorders(const MeshInput& input, const std::vector<CheckedSeam>& seams);
+    Result<void> meshPieces(const MeshInput& input, DividedBorders& borders);
+    Result<void> meshPiece(const MeshInput& input, std::size_t piece, FrozenBorder border);
+    void sew(const MeshInput& input, const std::vector<CheckedSeam>& seams, const BoundaryDivision& division);
+    Result<const GarmentMesh*> mesh(const MeshInput& input);
+};
+
+Result<void> GarmentMesher::Memory::checkPieces(const MeshInput& input) {
+    pieces.resize(input.pieces.size());
+    boundaries.resize(input.pieces.size());
+    garment.pieces.resize(input.pieces.size());
+    garment.report.pieces.resize(input.pieces.size());
+    for (std::size_t p = 0; p < input.pieces.size(); ++p) {
+        if (!pieces[p].input.outline.empty() && pieces[p].input == input.pieces[p]) continue;
+        pieces[p] = {};
+        auto boundary = checkedBoundary(input.pieces[p]);
+        if (!boundary) return tl::unexpected(boundary.error());
+        boundaries[p] = std::move(*boundary);
+        pieces[p].input = input.pieces[p];
+        ++work.checkedPieces;
+    }
+    return {};
+}
+
+Result<std::vector<CheckedSeam>> GarmentMesher::Memory::checkSeams(const MeshInput& input) {
+    std::vector<CheckedSeam> seams;
+    for (const SeamInput& seam : input.seams) {
+        auto checked = checkedSeam(input, seam, boundaries, garment.report.warnings);
+        if (!checked) return tl::unexpected(checked.error());
+        seams.push_back(std::move(*checked));
+    }
+    return seams;
+}
+
+Result<void> GarmentMesher::Memory::layLattice(const MeshInput& input, const std::vector<CheckedSeam>& seams,
+                                               std::size_t piece, GrainStretches stretches) {
+    PieceMemory& memory = pieces[piece];
+    std::vector<Vec2> ends = seamEnds(seams, static_cast<int>(piece), boundaries[piece]);
+    if (!memory.laid || memory.laid->seamEnds != ends || memory.laid->stretches != stretches) {
+        memory.laid.reset();
+        memory.meshed.reset();
+        std::vector<RegionReport> regions;
+        std::vector<Warning> warnings;
+        auto lattice = laidLattice(input.pieces[piece], boundaries[piece], ends, stretches, regions, warnings);
+        if (!lattice) return tl::unexpected(lattice.error());
+        memory.laid = LaidLattice{std::move(ends), std::move(stretches), std::move(*lattice), std::move(regions),
+                                  std::move(warnings)};
+    }
+    auto& said = garment.report.warnings;
+    said.insert(said.end(), memory.laid->warnings.begin(), memory.laid->warnings.end());
+    return {};
+}
+
+/// Regions are snapped before the border is divided, because they say how finely; without regions it is the other way
+/// round, and lines can pass through whatever nodes the seams ask for.
+Result<DividedBorders> GarmentMesher::Memory::divideBorders(const MeshInput& input,
+                                                            const std::vector<CheckedSeam>& seams) {
+    const auto points = fixedPoints(input, boundaries, seams);
+    if (!points) return tl::unexpected(points.error());
+    for (std::size_t p = 0; p < input.pieces.size(); ++p)
+        if (!input.pieces[p].regions.empty())
+            if (auto laid = layLattice(input, seams, p, grainStretches(input.pieces[p], boundaries[p], (*points)[p]));
+                !laid)
+                return tl::unexpected(laid.error());
+    const SpacingAlong spacing = [&](int piece, int loop, int edge, double from, double to) {
+        const PieceInput& given = input.pieces[at(piece)];
+        if (given.regions.empty()) return given.spacing;
+        return finestSpacingAlong(given, boundaries[at(piece)], pieces[at(piece)].laid->lattice, loop, edge, from, to);
+    };
+    auto borders = dividedBorders(input, boundaries, seams, *points, spacing);
+    if (!borders) return borders;
+    for (std::size_t p = 0; p < input.pieces.size(); ++p)
+        if (input.pieces[p].regions.empty())
+            if (auto laid =
+                    layLattice(input, seams, p,
+                               borders->division.grainStretches(input.pieces[p], static_cast<int>(p), boundaries[p]));
+                !laid)
+                return tl::unexpected(laid.error());
+    return borders;
+}
+
+Result<void> GarmentMesher::Memory::meshPiece(const MeshInput& input, std::size_t piece, FrozenBorder border) {
+    PieceMemory& memory = pieces[piece];
+    memory.meshed.reset();
+    const auto start = std::chrono::steady_clock::now();
+    auto mesh = meshedPiece(input.pieces[piece], boundaries[piece], border.nodes, border.seeds, memory.laid->lattice);
+    if (!mesh) return tl::unexpected(mesh.error());
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    PieceReport& report = garment.report.pieces[piece];
+    report = pieceReport(input.pieces[piece], boundaries[piece], border.nodes, *mesh, settings.judged);
+    report.seconds = seconds;
+    report.regions = memory.laid->regions;
+    garment.pieces[piece] = std::move(*mesh);
+    memory.meshed = std::move(border);
+    return {};
+}
+
+/// Each piece on its own: the result does not depend on the threads.
+Result<void> GarmentMesher::Memory::meshPieces(const MeshInput& input, DividedBorders& borders) {
+    std::vector<std::pair<std::size_t, FrozenBorder>> changed;
+    for (std::size_t p = 0; p < input.pieces.size(); ++p) {
+        FrozenBorder border{std::move(borders.nodes[p]), {}};
+        border.seeds = seedsOf(border.nodes, boundaries[p].frame, static_cast<int>(p), borders.division);
+        if (pieces[p].meshed != border) changed.emplace_back(p, std::move(border));
+    }
+    std::vector<Result<void>> done(changed.size());
+    inParallel(static_cast<int>(changed.size()),
+               [&](int i) { done[at(i)] = meshPiece(input, changed[at(i)].first, std::move(changed[at(i)].second)); });
+    for (const Result<void>& result : done)
+        if (!result) return result;
+    work.meshedPieces = static_cast<int>(changed.size());
+    return {};
+}
+
+void GarmentMesher::Memory::sew(const MeshInput& input, const std::vector<CheckedSeam>& seams,
+                                const BoundaryDivision& division) {
+    garment.seams.clear();
+    garment.report.seams.clear();
+    for (std::size_t s = 0; s < seams.size(); ++s) {
+        garment.seams.push_back(sewnNodes(seams[s], division, garment.pieces));
+        garment.report.seams.push_back(
+            seamReport(input.seams[s], seams[s], garment.seams.back(), division, garment.pieces));
+    }
+}
+
+Result<const GarmentMesh*> GarmentMesher::Memory::mesh(const MeshInput& input) {
+    work = {};
+    garment.report.warnings.clear();
+    if (auto checked = checkPieces(input); !checked) return tl::unexpected(checked.error());
+    const auto seams = checkSeams(input);
+    if (!seams) return tl::unexpected(seams.error());
+    auto borders = divideBorders(input, *seams);
+    if (!borders) return tl::unexpected(borders.error());
+    if (auto meshed = meshPieces(input, *borders); !meshed) return tl::unexpected(meshed.error());
+    garment.report.total = totalOf(garment.report.pieces);
+    sew(input, *seams, borders->division);
+    return &garment;
+}
+
+GarmentMesher::GarmentMesher(MeshSettings settings) : memory_(std::make_unique<Memory>()) {
+    memory_->settings = settings;
+}
+GarmentMesher::~GarmentMesher() = default;
+GarmentMesher::GarmentMesher(GarmentMesher&&) noexcept = default;
+GarmentMesher& GarmentMesher::operator=(GarmentMesher&&) noexcept = default;
+
+Result<const GarmentMesh*> GarmentMesher::mesh(const MeshInput& input) {
+    return memory_->mesh(input);
+}
+
+GarmentMesh GarmentMesher::take() && {
+    return std::move(memory_->garment);
+}
+
+MeshingWork GarmentMesher::work() const {
+    return memory_->work;
+}
+
+Result<GarmentMesh> meshGarment(const MeshInput& input, const MeshSettings& settings) {
+    GarmentMesher mesher(settings);
+    if (const auto mesh = mesher.mesh(input); !mesh) return tl::unexpected(mesh.error());
+    return std::move(mesher).take();
+}
+
+} // namespace toile::meshing

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/meshing/SewnNodes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toile::meshing {
+namespace {
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// By how much the ways between neighbouring pairs differ: 0 unless there is ease, or a curve's chords fall
+/// short.
+double largestSpacingMismatch(const SeamNodes& nodes, const std::vector<PieceMesh>& pieces) {
+    double largest = 0;
+    for (std::size_t k = 0; k + 1 < nodes.pairs.size(); ++k) {
+        std::array<double, 2> way{};
+        for (std::size_t side = 0; side < 2; ++side) {
+            const NodeRef from = nodes.pairs[k][side], to = nodes.pairs[k + 1][side];
+            if (from.piece == to.piece)
+                way[side] =
+                    distance(pieces[at(from.piece)].nodes[at(from.node)], pieces[at(to.piece)].nodes[at(to.node)]);
+        }
+        if (way[0] > 0 && way[1] > 0) largest = std::max(largest, std::abs(way[0] - way[1]) / std::max(way[0], way[1]));
+    }
+    return largest;
+}
+
+/// One more than the parts between sewing points; a joint of two pieces is one point.
+int sewingPoints(const SeamChain& side, const BoundaryDivision& division) {
+    int points = 1;
+    for (const ChainPart& part : side.parts)
+        for (const Stretch& stretch : division.stretches(part.part.piece, part.part.loop, part.part.edge)) {
+            const double middle = 0.5 * (stretch.from + stretch.to);
+            if (middle >= part.part.from && middle <= part.part.to) points += division.count(stretch);
+        }
+    return points;
+}
+
+} // namespace
+
+SeamNodes sewnNodes(const CheckedSeam& seam, const BoundaryDivision& division, const std::vector<PieceMesh>& pieces) {
+    std::array<std::vector<std::vector<NodeRef>>, 2> stretches;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (const ChainPart& part : seam.sides[side].parts) {
+            const SeamPartInput& where = part.part;
+            const EdgeNodes& edge = pieces[at(where.piece)].loops[at(where.loop)][at(where.edge)];
+            std::vector<std::vector<NodeRef>> own;
+            for (const Stretch& stretch : division.stretches(where.piece, where.loop, where.edge)) {
+                const double middle = 0.5 * (stretch.from + stretch.to);
+                if (middle < where.from || middle > where.to) continue;
+                auto& list = own.emplace_back();
+                for (const EdgeNode& node : edge)
+                    if (node.fraction >= stretch.from - 1e-12 && node.fraction <= stretch.to + 1e-12)
+                        list.push_back({where.piece, node.node});
+                if (where.reversed) std::reverse(list.begin(), list.end());
+            }
+            if (where.reversed) std::reverse(own.begin(), own.end());
+            stretches[side].insert(stretches[side].end(), own.begin(), own.end());
+        }
+    SeamNodes nodes;
+    for (std::size_t i = 0; i < stretches[0].size(); ++i)
+        for (std::size_t k = 0; k < stretches[0][i].size(); ++k) {
+            const std::array<NodeRef, 2> pair{stretches[0][i][k], stretches[1][i][k]};
+            if (nodes.pairs.empty() || nodes.pairs.back() != pair) nodes.pairs.push_back(pair);
+        }
+    return nodes;
+}
+
+SeamReport seamReport(const SeamInput& input, const CheckedSeam& seam, const SeamNodes& nodes,
+                      const BoundaryDivision& division, const std::vector<PieceMesh>& pieces) {
+    SeamReport report{input.label, 0, 0, seam.sides[0].length, seam.sides[1].length, seam.ease, 0};
+    report.countA = sewingPoints(seam.sides[0], division);
+    report.countB = sewingPoints(seam.sides[1], division);
+    report.largestSpacingMismatch = largestSpacingMismatch(nodes, pieces);
+    return report;
+}
+
+SewnAlike sewnAlike(const SeamReport& seam) {
+    constexpr double chords = 0.02; // a curve's chord falls short of its arc by s²/24R²: 1.7 % at s = 0.64 R
+    const double longer = std::max(seam.lengthA, seam.lengthB);
+    const double rest = std::abs(seam.lengthA - seam.lengthB - seam.ease);
+    SewnAlike alike;
+    alike.length = rest <= std::max(1e-3, 3e-3 * longer);
+    alike.count = seam.countA == seam.countB;
+    alike.unit = seam.largestSpacingMismatch <= std::abs(seam.lengthA - seam.lengthB) / longer + chords;
+    return alike;
+}
+
+} // namespace toile::meshing
