@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/DocumentFile.h"
+#include "core/meshing/GarmentMesher.h"
+#include "core/pattern/PatternContours.h"
 #include "core/simulation/Garment.h"
 #include "core/simulation/MeshInputOf.h"
 #include "core/study/Calibration.h"
@@ -7,6 +9,7 @@
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <cstdlib>
+#include <ctime>
 #include <malloc.h>
 #include <string>
 
@@ -88,6 +91,45 @@ void blouseBackCold(benchmark::State& state) {
     meshBlouseBack(state, true);
 }
 
+/// CPU time of all threads [s].
+double processSeconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// The whole blouse with its regions and seams, again and again while the front's neckline is dragged up and down at
+/// the centre, and with it that of its mirror image. With a memory only what that touches is meshed.
+void blouseVertexMoved(benchmark::State& state, bool remembers) {
+    std::vector<meshing::MeshInput> inputs;
+    for (const double by : {0.0, 0.004}) {
+        const auto moved = pattern::moveVertex(sample("blouse"), pattern::PieceId("front-left"),
+                                               pattern::VertexId("front-left.neck-centre"), Vec2{0, -0.08 - by});
+        if (!moved) std::abort();
+        auto input = simulation::meshInputOf(*moved, {.spacing = 1e-6 * static_cast<double>(state.range(0))});
+        if (!input) std::abort();
+        inputs.push_back(std::move(*input));
+    }
+    meshing::GarmentMesher mesher({.judged = false});
+    double pieces = 0;
+    std::size_t next = 0;
+    for (auto _ : state) {
+        next = 1 - next;
+        const double start = processSeconds();
+        if (!remembers) mesher = meshing::GarmentMesher({.judged = false});
+        if (!mesher.mesh(inputs[next])) std::abort();
+        state.SetIterationTime(processSeconds() - start);
+        pieces += mesher.work().meshedPieces;
+    }
+    state.counters["pieces"] = pieces / static_cast<double>(state.iterations());
+}
+
+void blouseVertexMovedRemembering(benchmark::State& state) {
+    blouseVertexMoved(state, true);
+}
+
+void blouseVertexMovedAnew(benchmark::State& state) {
+    blouseVertexMoved(state, false);
+}
+
 /// A square of a million cells, a quarter of it at half the spacing; then its cloth.
 pattern::Pattern millionCells() {
     pattern::Pattern pattern = sample("tablecloth");
@@ -155,6 +197,8 @@ void spacings(benchmark::internal::Benchmark* bench) {
 }
 BENCHMARK(blouseBackWarm)->Apply(spacings);
 BENCHMARK(blouseBackCold)->Apply(spacings);
+BENCHMARK(blouseVertexMovedRemembering)->Arg(20000)->Arg(5000)->Unit(benchmark::kMillisecond)->UseManualTime();
+BENCHMARK(blouseVertexMovedAnew)->Arg(20000)->Arg(5000)->Unit(benchmark::kMillisecond)->UseManualTime();
 BENCHMARK(millionCellsMeshed)->Unit(benchmark::kMillisecond)->UseManualTime();
 BENCHMARK(millionCellsWithElements)->Unit(benchmark::kMillisecond)->UseManualTime();
 

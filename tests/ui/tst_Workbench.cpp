@@ -40,11 +40,11 @@ struct Fixture {
         WorkbenchParts result;
         result.read = [](const std::string& file) { return io::readToile(file); };
         result.write = [](const std::string& file, const document::Document& d) { return io::writeToile(d, file); };
-        result.mesh = [this](const pattern::Pattern& pattern) -> Result<meshing::GarmentMesh> {
+        result.mesh = [this, mesh = std::make_shared<meshing::GarmentMesh>()](
+                          const pattern::Pattern& pattern) -> Result<const meshing::GarmentMesh*> {
             ++meshed;
-            meshing::GarmentMesh mesh;
-            mesh.pieces.resize(pattern.pieces.size());
-            return mesh;
+            mesh->pieces.resize(pattern.pieces.size());
+            return mesh.get();
         };
         result.simulation = std::make_unique<FakeSimulation>(log);
         result.recoveryDelay = std::chrono::milliseconds(1);

@@ -35,14 +35,14 @@ void MeshPreview::work(std::stop_token stop) {
 }
 
 void MeshPreview::answer(const Request& request) {
-    Result<meshing::GarmentMesh> mesh = mesher_(request.pattern);
+    const auto mesh = mesher_(request.pattern);
     if (!mesh) {
         const QString why = QString::fromStdString(toString(mesh.error()));
         QMetaObject::invokeMethod(this,
                                   [this, generation = request.generation, why] { Q_EMIT failed(generation, why); });
         return;
     }
-    MeshedPattern result{request.generation, meshLinesOf(*mesh), std::move(mesh->report)};
+    MeshedPattern result{request.generation, meshLinesOf(**mesh), (*mesh)->report};
     QMetaObject::invokeMethod(this, [this, result = std::move(result)] { Q_EMIT meshed(result); });
 }
 

@@ -28,7 +28,8 @@ struct MeshedPattern {
 class MeshPreview : public QObject {
     Q_OBJECT
 public:
-    using Mesher = std::function<Result<meshing::GarmentMesh>(const pattern::Pattern&)>;
+    /// The mesh stands until the next call; only the preview's thread calls.
+    using Mesher = std::function<Result<const meshing::GarmentMesh*>(const pattern::Pattern&)>;
 
     explicit MeshPreview(Mesher mesher, QObject* parent = nullptr);
     ~MeshPreview() override; ///< waits for the pattern being meshed

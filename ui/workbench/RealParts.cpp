@@ -5,6 +5,7 @@
 #include "core/io/DocumentFile.h"
 #include "core/io/DrapeExport.h"
 #include "core/io/ToileFile.h"
+#include "core/meshing/GarmentMesher.h"
 #include "core/pattern/PatternPieces.h"
 #include "core/simulation/MeshInputOf.h"
 #include "ui/workbench/RunnerSimulation.h"
@@ -21,10 +22,14 @@ Result<document::Document> readAny(const std::string& file) {
     return document;
 }
 
-Result<meshing::GarmentMesh> meshOf(const pattern::Pattern& pattern) {
-    auto input = simulation::meshInputOf(pattern);
-    if (!input) return tl::unexpected(input.error());
-    return meshing::meshGarment(*input);
+/// Meshes what changed since the pattern before.
+MeshPreview::Mesher previewMesher() {
+    return [mesher = std::make_shared<meshing::GarmentMesher>()](
+               const pattern::Pattern& pattern) -> Result<const meshing::GarmentMesh*> {
+        auto input = simulation::meshInputOf(pattern);
+        if (!input) return tl::unexpected(input.error());
+        return mesher->mesh(*input);
+    };
 }
 
 } // namespace
@@ -40,7 +45,7 @@ WorkbenchParts realParts(const QString& recoveryFolder) {
         auto human = io::readBody(file);
         return human ? human : io::readBody(file, {.isHuman = false});
     };
-    parts.mesh = meshOf;
+    parts.mesh = previewMesher();
     parts.simulation = std::make_unique<RunnerSimulation>();
     parts.recoveryFolder = recoveryFolder;
     return parts;
