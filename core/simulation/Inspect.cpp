@@ -2,6 +2,7 @@
 #include "core/simulation/Inspect.h"
 
 #include "core/base/Sha256.h"
+#include "core/cloth/Curvature.h"
 #include "core/cloth/Strain.h"
 #include "core/collision/Intersections.h"
 #include "core/dynamics/SelfContact.h"
@@ -21,8 +22,8 @@ geometry::TriangleMesh clothMesh(const Simulation& simulation) {
     return mesh;
 }
 
-/// The elements of a piece as the strain measure takes them.
-cloth::Patch strainPatch(const Garment& garment, std::size_t piece) {
+/// The elements of a piece as the measures of strain and curvature take them.
+cloth::Patch elementsOf(const Garment& garment, std::size_t piece) {
     const meshing::PieceMesh& mesh = garment.mesh->pieces[piece];
     cloth::Patch patch;
     patch.material = mesh.material;
@@ -40,8 +41,7 @@ std::vector<cloth::Strain> strainsOf(const Simulation& simulation, const Wanted&
     const Garment& garment = simulation.garment();
     for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece)
         if (wanted(*simulation.scene().pattern.pieces[piece]))
-            for (const cloth::Strain& strain :
-                 cloth::strains(strainPatch(garment, piece), simulation.state().positions))
+            for (const cloth::Strain& strain : cloth::strains(elementsOf(garment, piece), simulation.state().positions))
                 all.push_back(strain);
     return all;
 }
@@ -101,6 +101,18 @@ std::optional<StrainSummary> wovenStrainOf(const Simulation& simulation) {
     });
     if (strains.empty()) return std::nullopt;
     return summaryOf(strains);
+}
+
+CurvatureSummary curvatureOf(const Simulation& simulation) {
+    double squares = 0, alternating = 0, area = 0;
+    const Garment& garment = simulation.garment();
+    for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece)
+        for (const cloth::Curvature& c : cloth::curvatures(elementsOf(garment, piece), simulation.state().positions)) {
+            squares += c.area * c.value * c.value;
+            alternating += c.area * c.alternating * c.alternating;
+            area += c.area;
+        }
+    return area > 0 ? CurvatureSummary{std::sqrt(squares / area), std::sqrt(alternating / area)} : CurvatureSummary{};
 }
 
 ContactSummary contactOf(const Simulation& simulation) {

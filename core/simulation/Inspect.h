@@ -11,6 +11,9 @@ namespace toile::simulation {
 /// Strain of its woven pieces; none if all are knits.
 [[nodiscard]] std::optional<StrainSummary> wovenStrainOf(const Simulation& simulation);
 
+/// Curvature of the garment; zero without lines of rectangles.
+[[nodiscard]] CurvatureSummary curvatureOf(const Simulation& simulation);
+
 /// How the cloth lies to the body and to itself; counted by a test that shares no code with the contact stages.
 [[nodiscard]] ContactSummary contactOf(const Simulation& simulation);
 

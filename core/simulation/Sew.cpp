@@ -197,6 +197,7 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     result.contact = contactOf(simulation);
     judgeWorn(result, simulation, settings);
     result.strain = strainOf(simulation);
+    result.curvature = curvatureOf(simulation);
     const dynamics::Energies energies =
         dynamics::energies(simulation.garment().model, simulation.state(), simulation.scene().settings.gravity);
     result.kineticEnergy = energies.kinetic;

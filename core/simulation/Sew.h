@@ -47,6 +47,7 @@ struct SewReport {
     int clampedCells = 0;
     std::optional<double> finishDisplacementMaximum; ///< [m]
     StrainSummary strain;
+    CurvatureSummary curvature;
     double simulatedSeconds = 0, cpuSeconds = 0, wallSeconds = 0;
     double heldSeconds = 0; ///< of them after rest, to see whether a waistband stays [s]
     int steps = 0, substeps = 0;

@@ -92,6 +92,9 @@ Json toJson(const SewReport& report) {
         .set("weftPercentile99", report.strain.weftPercentile99);
     strain.set("shearMaximum", report.strain.shearMaximum).set("rms", report.strain.rms);
     json.set("strain", strain);
+    Json curvature;
+    curvature.set("rms", report.curvature.rms).set("alternating", report.curvature.alternating);
+    json.set("curvature", curvature);
     json.set("simulatedSeconds", report.simulatedSeconds).set("heldSeconds", report.heldSeconds);
     json.set("cpuSeconds", report.cpuSeconds).set("wallSeconds", report.wallSeconds);
     json.set("steps", report.steps).set("substeps", report.substeps);

@@ -10,4 +10,10 @@ struct StrainSummary {
     double rms = 0;                                            ///< of warp and weft strain over the area [–]
 };
 
+/// How far the cloth of a garment is curved along its mesh lines, over the area and both directions.
+struct CurvatureSummary {
+    double rms = 0;         ///< [1/m]
+    double alternating = 0; ///< rms of what of it alternates from node to node: waves too short for the mesh [1/m]
+};
+
 } // namespace toile::simulation

@@ -109,6 +109,7 @@ void tst_SewCommand::theReportHasTheKeysThatArePromised() {
                                                  "bodyIntersections", "guarantee"}),
              QString());
     QCOMPARE(missingKeys(*json.find("strain"), {"warpMaximum", "weftMaximum", "shearMaximum", "rms"}), QString());
+    QCOMPARE(missingKeys(*json.find("curvature"), {"rms", "alternating"}), QString());
     QCOMPARE(missingKeys(*json.find("energy"), {"kinetic", "gravity", "elastic"}), QString());
     for (const Json& stage : *json.find("stages")->asArray())
         QCOMPARE(missingKeys(stage, {"name", "seconds", "share"}), QString());

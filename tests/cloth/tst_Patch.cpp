@@ -208,6 +208,35 @@ private slots:
         QVERIFY(std::abs(measured - expected) < 1e-9 * expected);
     }
 
+    /// The height of a wave cos(pi)·cos(qj) over nodes i, j is pulled back, wherever it is not near the border, as that
+    /// of a plate is: by B2·P² + B1·Q² + (4·B45 − B1 − B2)·P·Q, P = (2/a·sin(p/2))² and Q = (2/b·sin(q/2))². That is 0
+    /// for p = q = 0 only: zigzags of two rows and chequers of two cells are bent as hard as they look.
+    void noRippleOfTheMeshIsFree() {
+        const double a = 0.01, b = 0.013;
+        const int n = 9;
+        const Patch patch = gridPatch(evenLines(n * a, n), evenLines(n * b, n));
+        const Fabric fabric = wovenFabric();
+        const ClothModel model = modelOf(patch, fabric);
+        const int node = 4 * (n + 1) + 4; // two cells from every border
+        for (const double p : {0.0, 1.0, 2.0, std::numbers::pi})
+            for (const double q : {0.0, 1.0, 2.0, std::numbers::pi}) {
+                if (p == 0 && q == 0) continue;
+                auto x = flatPositions(patch);
+                for (std::size_t i = 0; i < x.size(); ++i)
+                    x[i].z = 1e-9 * std::cos(p * (double(i % (n + 1)) - 4)) * std::cos(q * (double(i / (n + 1)) - 4));
+                std::vector<Vec3> forces(x.size());
+                cloth::addForces(model, x, forces);
+                const double P = 4 / (a * a) * std::pow(std::sin(p / 2), 2),
+                             Q = 4 / (b * b) * std::pow(std::sin(q / 2), 2);
+                const double twist = 4 * fabric.biasBending - fabric.warpBending - fabric.weftBending;
+                const double stiffness = fabric.weftBending * P * P + fabric.warpBending * Q * Q + twist * P * Q;
+                const double expected = -a * b * stiffness * 1e-9;
+                QVERIFY2(
+                    std::abs(forces[node].z - expected) < 1e-6 * std::abs(expected),
+                    qPrintable(QString("p %1 q %2: %3 N, not %4").arg(p).arg(q).arg(forces[node].z).arg(expected)));
+            }
+    }
+
     void aSeamHingeIsAsStiffAsARowOfRectangles() {
         const cloth::SeamEdge edge{.particles = {0, 1, 2, 3},
                                    .length = 0.01,
