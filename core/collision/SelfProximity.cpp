@@ -28,13 +28,31 @@ bool has(const Corners& corners, int vertex) {
     return std::ranges::find(corners, vertex) != corners.end();
 }
 
-/// How much nearer the two elements of a pair can come by their moves [m].
-double approach(const ElementPair& pair, std::span<const Vec3> moves) {
-    double squared = 0;
-    for (int i = 0; i < pair.firstCount; ++i)
-        for (int k = pair.firstCount; k < 4; ++k)
-            squared = std::max(squared, squaredLength(moves[pair.vertices[i]] - moves[pair.vertices[k]]));
-    return std::sqrt(squared);
+geometry::Box3 widened(const Vec3& low, const Vec3& high, double margin) {
+    const Vec3 wide{margin, margin, margin};
+    return {low - wide, high + wide};
+}
+
+/// The least of what a point of the box has along a direction.
+double leastAlong(const Vec3& direction, const geometry::Box3& box) {
+    const auto least = [&](int axis) {
+        return std::min(direction[axis] * box.low[axis], direction[axis] * box.high[axis]);
+    };
+    return least(0) + least(1) + least(2);
+}
+
+/// As gapAlong, while each vertex is anywhere in its box.
+double leastGapAlong(const Vec3& direction, const ElementPair& pair, std::span<const Vec3> positions,
+                     std::span<const geometry::Box3> boxes) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double nearest = infinity, farthest = -infinity;
+    for (int i = 0; i < 4; ++i) {
+        const int v = pair.vertices[i];
+        const double along = dot(direction, positions[v]);
+        if (i < pair.firstCount) nearest = std::min(nearest, along + leastAlong(direction, boxes[v]));
+        else farthest = std::max(farthest, along - leastAlong(-direction, boxes[v]));
+    }
+    return nearest - farthest;
 }
 
 } // namespace
@@ -98,13 +116,8 @@ int SelfProximity::build(std::span<int> triangles, std::span<const Vec3> centres
     return node;
 }
 
-/// Boxes round the ways of all vertices, and of what is made of them.
-void SelfProximity::fit(double margin, std::span<const Vec3> positions, std::span<const Vec3> moves) {
-    const Vec3 wide{margin, margin, margin};
-    for (std::size_t v = 0; v < vertexBoxes_.size(); ++v) {
-        const Vec3 &from = positions[v], to = moves.empty() ? from : from + moves[v];
-        vertexBoxes_[v] = {lower(from, to) - wide, higher(from, to) + wide};
-    }
+/// Boxes round those of the vertices.
+void SelfProximity::fitNodes() {
     for (std::size_t n = nodes_.size(); n-- > 0;) {
         const Node& node = nodes_[n];
         if (node.second >= 0) {
@@ -118,7 +131,7 @@ void SelfProximity::fit(double margin, std::span<const Vec3> positions, std::spa
     }
 }
 
-/// visit(node, node) once for every two leaves whose boxes meet.
+/// visit(node, node) once for every two leaves whose boxes meet, until it returns false.
 template <class Visit>
 void SelfProximity::forNearTriangles(const Visit& visit) const {
     if (nodes_.empty()) return;
@@ -133,7 +146,7 @@ void SelfProximity::forNearTriangles(const Visit& visit) const {
             todo.push_back({a + 1, a + 1});
             if (meet(nodeBoxes_[a + 1], nodeBoxes_[first.second])) todo.push_back({a + 1, first.second});
         } else if (first.second < 0 && second.second < 0) {
-            visit(a, b);
+            if (!visit(a, b)) return;
         } else if (second.second < 0 || (first.second >= 0 && first.second - a >= second.second - b)) {
             if (meet(nodeBoxes_[a + 1], nodeBoxes_[b])) todo.push_back({a + 1, b});
             if (meet(nodeBoxes_[first.second], nodeBoxes_[b])) todo.push_back({first.second, b});
@@ -144,13 +157,47 @@ void SelfProximity::forNearTriangles(const Visit& visit) const {
     }
 }
 
-std::vector<SelfProximity::Near> SelfProximity::pairsWithin(double reach, std::span<const Vec3> positions,
-                                                            std::span<const Vec3> moves) {
-    fit(0.5 * reach, positions, moves);
+SelfProximity::Pairs SelfProximity::pairsWithin(double reach, std::span<const Vec3> positions, std::size_t most) {
+    for (std::size_t v = 0; v < vertexBoxes_.size(); ++v)
+        vertexBoxes_[v] = widened(positions[v], positions[v], 0.5 * reach);
+    return collect(positions, most, [&](const ElementPair&, const Separation& at) { return at.distance <= reach; });
+}
+
+/// What all do together brings nothing nearer: boxes hold what each does beside it. The gap along a direction
+/// that stays the same is a concave function of the time, so that between two ends it is not less than at both.
+SelfProximity::Pairs SelfProximity::pairsInStep(double reach, std::span<const Vec3> positions,
+                                                std::span<const Vec3> moves, std::size_t most) {
+    Vec3 common;
+    for (const Vec3& move : moves) common += move / static_cast<double>(moves.size());
+    std::vector<Vec3> ends(positions.size());
+    for (std::size_t v = 0; v < ends.size(); ++v) {
+        ends[v] = positions[v] + (moves[v] - common);
+        vertexBoxes_[v] = widened(lower(positions[v], ends[v]), higher(positions[v], ends[v]), 0.5 * reach);
+    }
+    return collect(positions, most, [&](const ElementPair& pair, const Separation& start) {
+        if (start.distance <= reach) return true;
+        const Vec3 direction = start.way / start.distance;
+        return gapAlong(direction, pair, positions) <= reach || gapAlong(direction, pair, ends) <= reach;
+    });
+}
+
+SelfProximity::Pairs SelfProximity::pairsInBoxes(double reach, std::span<const Vec3> positions,
+                                                 std::span<const geometry::Box3> boxes, std::size_t most) {
+    for (std::size_t v = 0; v < vertexBoxes_.size(); ++v)
+        vertexBoxes_[v] = widened(positions[v] + boxes[v].low, positions[v] + boxes[v].high, 0.5 * reach);
+    return collect(positions, most, [&](const ElementPair& pair, const Separation& start) {
+        return start.distance <= reach || leastGapAlong(start.way / start.distance, pair, positions, boxes) <= reach;
+    });
+}
+
+/// The pairs whose boxes meet and of which mayMeet(pair, separation) says so.
+template <class MayMeet>
+SelfProximity::Pairs SelfProximity::collect(std::span<const Vec3> positions, std::size_t most, const MayMeet& mayMeet) {
+    fitNodes();
     std::vector<Near> found;
     const auto keepIfNear = [&](const ElementPair& pair) {
-        const double distance = separationOf(pair, positions).distance;
-        if (distance <= reach + (moves.empty() ? 0 : approach(pair, moves))) found.push_back({pair, distance});
+        const Separation separation = separationOf(pair, positions);
+        if (mayMeet(pair, separation)) found.push_back({pair, separation.distance});
     };
     const auto cornersAgainst = [&](int speaker, int node) {
         const auto& corners = triangles_[nodes_[node].triangle];
@@ -178,12 +225,15 @@ std::vector<SelfProximity::Near> SelfProximity::pairsWithin(double reach, std::s
                     keepIfNear({{edge[0], edge[1], other[0], other[1]}, 2});
             }
         }
+        return found.size() <= most;
     });
+    if (found.size() > most) return std::nullopt;
     return found;
 }
 
 std::vector<Piercing> SelfProximity::piercings(std::span<const Vec3> positions) {
-    fit(0, positions, {});
+    for (std::size_t v = 0; v < vertexBoxes_.size(); ++v) vertexBoxes_[v] = {positions[v], positions[v]};
+    fitNodes();
     std::vector<Piercing> found;
     const auto edgesAgainst = [&](int speaker, int triangle) {
         const auto& corners = triangles_[triangle];
@@ -199,6 +249,7 @@ std::vector<Piercing> SelfProximity::piercings(std::span<const Vec3> positions) 
     forNearTriangles([&](int a, int b) {
         edgesAgainst(nodes_[a].triangle, nodes_[b].triangle);
         edgesAgainst(nodes_[b].triangle, nodes_[a].triangle);
+        return true;
     });
     std::ranges::sort(found);
     return found;

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,24 +39,31 @@ public:
     [[nodiscard]] const std::vector<SurfaceEdge>& edges() const { return edges_; }
     [[nodiscard]] std::size_t bytes() const;
 
-    /// A pair, and how near its elements are at the start of the moves [m].
+    /// A pair, and how near its elements are while the vertices are at their positions [m].
     struct Near {
         ElementPair pair;
         double distance = 0;
     };
+    /// Nothing when there are more than were asked for: then none is kept.
+    using Pairs = std::optional<std::vector<Near>>;
+    static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+
+    /// The pairs not farther apart than `reach` [m].
+    [[nodiscard]] Pairs pairsWithin(double reach, std::span<const Vec3> positions, std::size_t most = unlimited);
     /// Every pair that can come nearer than `reach` [m] while all vertices go together, on straight ways and
-    /// in step, from their positions by their moves. Without moves: exactly the pairs not farther apart than
-    /// `reach`.
-    [[nodiscard]] std::vector<Near> pairsWithin(double reach, std::span<const Vec3> positions,
-                                                std::span<const Vec3> moves);
+    /// in step, from their positions by their moves.
+    [[nodiscard]] Pairs pairsInStep(double reach, std::span<const Vec3> positions, std::span<const Vec3> moves,
+                                    std::size_t most = unlimited);
+    /// Every pair that can come nearer than `reach` [m] while each vertex is anywhere in a box of its own, seen
+    /// from its position.
+    [[nodiscard]] Pairs pairsInBoxes(double reach, std::span<const Vec3> positions,
+                                     std::span<const geometry::Box3> boxes, std::size_t most = unlimited);
 
     /// Edges that pass through triangles they have no corner in common with, in rising order.
     [[nodiscard]] std::vector<Piercing> piercings(std::span<const Vec3> positions);
 
 private:
-    struct Box {
-        Vec3 low, high;
-    };
+    using Box = geometry::Box3;
     struct Node {
         int second = -1;   ///< the first child follows its parent; −1 = leaf
         int triangle = -1; ///< of a leaf
@@ -66,9 +75,11 @@ private:
 
     void findEdges();
     int build(std::span<int> triangles, std::span<const Vec3> centres);
-    void fit(double margin, std::span<const Vec3> positions, std::span<const Vec3> moves);
+    void fitNodes();
     template <class Visit>
     void forNearTriangles(const Visit& visit) const;
+    template <class MayMeet>
+    Pairs collect(std::span<const Vec3> positions, std::size_t most, const MayMeet& mayMeet);
 
     std::vector<geometry::TriangleIndices> triangles_;
     std::vector<SurfaceEdge> edges_;

@@ -50,20 +50,14 @@ void SelfContact::beginStep(const ParticleState&, double duration) {
 void SelfContact::project(Substep& substep) {
     anchors_.clear();
     ++substep_;
-    if (!foreseen(substep.positions, substep.time)) foresee(substep);
+    if (!foreseen(substep.positions, substep.time) && !foresee(substep)) return standStill(substep);
     pushApart(substep);
     uncross(substep);
     placeSlaves(substep.positions);
     holdApart(substep);
     if (foreseen(substep.positions, substep.time)) return;
-
-    // What was pushed or held has left the ways foreseen. This list holds whatever part of its way each one
-    // goes.
-    const double farthest = farthestMove(substep.previous, substep.positions);
-    moves_.assign(moves_.size(), Vec3{});
-    fromTime_ = substep.time - substep.duration;
-    search(2 * (farthest + settings_.slack) + thickest_, substep.previous, {});
-    holdApart(substep);
+    if (seekOnAllWays(substep)) holdApart(substep);
+    else standStill(substep);
 }
 
 /// Layers that would come nearer than their thickness are lifted to it.

@@ -31,6 +31,7 @@ struct SelfContactSettings {
     double keptDistance = 0.1; ///< part of its distance that a pair keeps in one substep whatever pulls [–]
     double closest = 1e-6;     ///< layers are never let nearer than this [m]
     int sweeps = 2;            ///< over the pairs that touch, in a substep
+    std::size_t mostPairs = 3'000'000; ///< watched at a time [–]: half a gigabyte
 
     double stiffness = 2.5e6;   ///< of statics, per mass of a particle [1/s²]: 500 Pa press 0.1 kg/m² to 0.8 of
                                 ///< its thickness of 0.5 mm, and never to nothing
@@ -50,12 +51,14 @@ public:
 
     [[nodiscard]] std::string_view name() const override { return "self-contact"; }
     [[nodiscard]] std::size_t bytes() const override;
+    /// Where even the pairs of a single substep would have been more than `mostPairs`.
+    [[nodiscard]] int heldBack() const override { return heldBack_; }
 
     void beginStep(const ParticleState& state, double duration) override;
     void project(Substep& substep) override;
 
-    /// Finds the pairs within reach. Until the next call no particle can move farther than staticMove, and no
-    /// pair can cross: the energy is infinite there.
+    /// Finds the pairs within reach. Until the next call no particle can move farther than staticMove, or a part of
+    /// it where pairs would be too many, and no pair can cross: the energy is infinite there.
     void beginIteration(std::span<const Vec3> positions) override;
     [[nodiscard]] double energy(std::span<const Vec3> positions) const override;
     void addForces(std::span<const Vec3> positions, std::span<Vec3> forces) const override;
@@ -72,6 +75,8 @@ public:
     /// How often neighbours were sought, and how many pairs are near now.
     [[nodiscard]] int searches() const { return searches_; }
     [[nodiscard]] std::size_t nearPairs() const { return watches_.size(); }
+    /// How often `mostPairs` would have been exceeded, so that less was looked ahead.
+    [[nodiscard]] int shortSearches() const { return shortSearches_; }
 
 private:
     /// What every substep reads of every pair that is near.
@@ -94,16 +99,22 @@ private:
 
     /// Elements nearer than this have no direction that could be trusted: they count as crossed [m].
     static constexpr double noDistance = 1e-9;
+    /// Of what should be looked ahead: where there are too many pairs for even so little, nothing is moved [–].
+    static constexpr double leastAhead = 1e-3;
     /// Of what is to be kept, so that rounding does not ask for more [–].
     static constexpr double justEnough = 0.99;
 
     // SelfContactNeighbours.cpp
-    void search(double reach, std::span<const Vec3> positions, std::span<const Vec3> moves);
+    void prepareSearch(std::span<const Vec3> positions);
+    [[nodiscard]] bool watch(const collision::SelfProximity::Pairs& pairs, std::span<const Vec3> positions);
     [[nodiscard]] bool isIgnored(const collision::ElementPair& pair) const;
     [[nodiscard]] Contact contactOf(const collision::ElementPair& pair) const;
     [[nodiscard]] double targetOf(const collision::ElementPair& pair) const;
     [[nodiscard]] bool foreseen(std::span<const Vec3> positions, double time) const;
-    void foresee(const Substep& substep);
+    [[nodiscard]] bool foresee(const Substep& substep);
+    [[nodiscard]] bool seekOnAllWays(Substep& substep);
+    void cutWays(double most, Substep& substep) const;
+    void standStill(Substep& substep);
     [[nodiscard]] double leastDistance(const Watch& watch, std::span<const Vec3> positions) const;
     void look(const Watch& watch, Contact& contact, std::span<const Vec3> positions) const;
     [[nodiscard]] static double farthestMove(std::span<const Vec3> from, std::span<const Vec3> to);
@@ -128,6 +139,7 @@ private:
     void goPartOfTheWay(int particle, double fraction, Substep& substep);
 
     // SelfContactStatics.cpp
+    void seekForStatics(std::span<const Vec3> positions);
     [[nodiscard]] double stiffnessOf(const Watch& watch) const;
     [[nodiscard]] double pressureAt(const Watch& watch, double distance) const;
     [[nodiscard]] Vec3 slipOf(std::size_t pair, std::span<const Vec3> positions) const;
@@ -148,8 +160,10 @@ private:
     std::vector<Vec3> from_,
         moves_;                         ///< where particles were when neighbours were sought, the ways foreseen [m]
     double fromTime_ = 0, horizon_ = 0; ///< when that was, how long the ways take [s]
+    double ahead_ = 1;                  ///< part of what should be looked ahead for which pairs are not too many [–]
+    double slack_ = 0, staticMove_ = 0; ///< of the settings, what holds for the pairs watched now [m]
     double frame_ = 0;                  ///< duration of the step [s]
-    int substep_ = 0, searches_ = 0;
+    int substep_ = 0, searches_ = 0, shortSearches_ = 0, heldBack_ = 0;
     std::vector<std::size_t> touching_; ///< pairs to be pushed in this substep
     std::vector<Vec3> wanted_;          ///< where particles would go before their ways are shortened [m]
     std::vector<double> fraction_;      ///< of its way that a particle goes

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/SelfContact.h"
 
+#include "core/dynamics/Ways.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,26 +23,81 @@ constexpr double usedRoom = 0.5;
 /// Whether every particle is near the way that was foreseen when neighbours were sought.
 bool SelfContact::foreseen(std::span<const Vec3> positions, double time) const {
     if (from_.size() != positions.size()) return false;
-    const double done = std::clamp((time - fromTime_) / horizon_, 0.0, 1.0),
-                 squared = settings_.slack * settings_.slack;
+    const double done = std::clamp((time - fromTime_) / horizon_, 0.0, 1.0), squared = slack_ * slack_;
     for (std::size_t p = 0; p < positions.size(); ++p)
         if (squaredLength(positions[p] - from_[p] - done * moves_[p]) > squared) return false;
     return true;
 }
 
-/// Seeks neighbours for one frame step ahead, as if particles went on as in this substep.
-void SelfContact::foresee(const Substep& substep) {
-    horizon_ = std::max(frame_, substep.duration);
+/// Seeks neighbours for one frame step ahead, as if particles went on as in this substep; for less where that brings
+/// too many near.
+bool SelfContact::foresee(const Substep& substep) {
+    prepareSearch(substep.previous);
     fromTime_ = substep.time - substep.duration;
     moves_.resize(substep.positions.size());
-    for (std::size_t p = 0; p < moves_.size(); ++p)
-        moves_[p] = (horizon_ / substep.duration) * (substep.positions[p] - substep.previous[p]);
-    search(2 * settings_.slack + thickest_, substep.previous, moves_);
+    for (ahead_ = std::min(1.0, 2 * ahead_); ahead_ >= leastAhead; ahead_ *= 0.5) {
+        horizon_ = ahead_ * std::max(frame_, substep.duration);
+        slack_ = ahead_ * settings_.slack;
+        for (std::size_t p = 0; p < moves_.size(); ++p)
+            moves_[p] = (horizon_ / substep.duration) * (substep.positions[p] - substep.previous[p]);
+        if (watch(proximity_->pairsInStep(2 * slack_ + thickest_, substep.previous, moves_, settings_.mostPairs),
+                  substep.previous))
+            return true;
+    }
+    return false;
 }
 
-void SelfContact::search(double reach, std::span<const Vec3> positions, std::span<const Vec3> moves) {
+/// What was pushed or held has left the ways foreseen: seeks neighbours for whatever part of its way each particle
+/// goes. Where they are too many, the list is for this substep only; then all ways are cut to a length.
+bool SelfContact::seekOnAllWays(Substep& substep) {
+    prepareSearch(substep.previous);
+    fromTime_ = substep.time - substep.duration;
+    moves_.assign(moves_.size(), Vec3{});
+    const auto fits = [&] {
+        const auto ways = waysOf(model_, substep.previous, substep.positions);
+        return watch(proximity_->pairsInBoxes(2 * slack_ + thickest_, substep.previous, ways, settings_.mostPairs),
+                     substep.previous);
+    };
+    if (fits()) return true;
+    slack_ = 0;
+    if (fits()) return true;
+    const double farthest = farthestMove(substep.previous, substep.positions);
+    for (double part = 0.5; part >= leastAhead; part *= 0.5) {
+        cutWays(part * farthest, substep);
+        if (!fits()) continue;
+        ++heldBack_;
+        return true;
+    }
+    return false;
+}
+
+void SelfContact::cutWays(double most, Substep& substep) const {
+    for (std::size_t p = 0; p < substep.positions.size(); ++p) {
+        const Vec3 way = substep.positions[p] - substep.previous[p];
+        if (const double size = length(way); size > most)
+            substep.positions[p] = substep.previous[p] + way * (most / size);
+    }
+    placeSlaves(substep.positions);
+}
+
+/// Nothing is known of what could meet: nothing moves in this substep, and neighbours are sought anew in the next.
+void SelfContact::standStill(Substep& substep) {
+    std::ranges::copy(substep.previous, substep.positions.begin());
+    from_.clear();
+    ++heldBack_;
+}
+
+void SelfContact::prepareSearch(std::span<const Vec3> positions) {
     if (!proximity_) proximity_.emplace(surface_.triangles, positions);
     if (mayPierce_) seekPiercings(positions);
+}
+
+/// Watches these pairs from now on, unless they were too many.
+bool SelfContact::watch(const collision::SelfProximity::Pairs& pairs, std::span<const Vec3> positions) {
+    if (!pairs) {
+        ++shortSearches_;
+        return false;
+    }
     std::vector<char> crossed(positions.size(), 0);
     for (const auto& [edge, triangle] : piercings_) {
         for (const int p : proximity_->edges()[edge].vertices) crossed[p] = 1;
@@ -52,7 +109,9 @@ void SelfContact::search(double reach, std::span<const Vec3> positions, std::spa
 
     watches_.clear();
     contacts_.clear();
-    for (const auto& [pair, distance] : proximity_->pairsWithin(reach, positions, moves)) {
+    watches_.reserve(pairs->size());
+    contacts_.reserve(pairs->size());
+    for (const auto& [pair, distance] : *pairs) {
         if (std::ranges::all_of(pair.vertices, [&](int p) { return crossed[p]; }) || isIgnored(pair)) continue;
         watches_.push_back({pair, targetOf(pair), distance, distance, distance});
         contacts_.push_back(contactOf(pair));
@@ -60,6 +119,7 @@ void SelfContact::search(double reach, std::span<const Vec3> positions, std::spa
     }
     from_.assign(positions.begin(), positions.end());
     ++searches_;
+    return true;
 }
 
 double SelfContact::targetOf(const ElementPair& pair) const {

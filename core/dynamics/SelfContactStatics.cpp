@@ -43,8 +43,7 @@ void SelfContact::beginIteration(std::span<const Vec3> positions) {
     }
     // Pairs beyond the reach need four moves to meet; neighbours are sought again after the first of a
     // particle's two.
-    if (first || farthestMove(from_, positions) > settings_.staticMove)
-        search(4 * settings_.staticMove + thickest_, positions, {});
+    if (first || farthestMove(from_, positions) > staticMove_) seekForStatics(positions);
     iterationStart_.assign(positions.begin(), positions.end());
     moves_.clear();
     ++substep_;
@@ -52,7 +51,7 @@ void SelfContact::beginIteration(std::span<const Vec3> positions) {
         const Watch& watch = watches_[i];
         Contact& contact = contacts_[i];
         double force = 0;
-        if (leastDistance(watch, positions) < watch.target + 2 * settings_.staticMove) {
+        if (leastDistance(watch, positions) < watch.target + 2 * staticMove_) {
             look(watch, contact, positions);
             if (contact.start > noDistance) force = pressureAt(watch, contact.start);
         }
@@ -61,8 +60,22 @@ void SelfContact::beginIteration(std::span<const Vec3> positions) {
     }
 }
 
+/// Where pairs would be too many, particles may move by less.
+void SelfContact::seekForStatics(std::span<const Vec3> positions) {
+    prepareSearch(positions);
+    for (ahead_ = std::min(1.0, 2 * ahead_); ahead_ >= leastAhead; ahead_ *= 0.5) {
+        staticMove_ = ahead_ * settings_.staticMove;
+        if (watch(proximity_->pairsWithin(4 * staticMove_ + thickest_, positions, settings_.mostPairs), positions))
+            return;
+    }
+    staticMove_ = 0;
+    watches_.clear();
+    contacts_.clear();
+    from_.assign(positions.begin(), positions.end());
+}
+
 double SelfContact::energy(std::span<const Vec3> positions) const {
-    if (farthestMove(iterationStart_, positions) > settings_.staticMove) return infinity;
+    if (farthestMove(iterationStart_, positions) > staticMove_) return infinity;
     double sum = 0;
     for (std::size_t i = 0; i < watches_.size(); ++i) {
         const Watch& watch = watches_[i];

@@ -38,6 +38,8 @@ public:
     [[nodiscard]] virtual std::string_view name() const = 0;
     /// Memory this stage holds.
     [[nodiscard]] virtual std::size_t bytes() const = 0;
+    /// Substeps so far in which particles did not go as far as they should have, for want of memory.
+    [[nodiscard]] virtual int heldBack() const { return 0; }
 
     /// Once before the substeps of a frame step of the given duration [s]: broad phases, targets.
     virtual void beginStep(const ParticleState& state, double duration) = 0;

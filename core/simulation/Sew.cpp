@@ -135,6 +135,16 @@ void warnOfCrossedLayers(SewReport& result, const Simulation& simulation) {
              fmt::format("Layers have crossed here and could not be drawn apart ({} of {}).", i + 1, places.size())});
 }
 
+void warnOfHeldBackCloth(SewReport& result, const Simulation& simulation) {
+    for (const StepPlan::StageCost& stage : simulation.stageCosts())
+        if (stage.heldBack > 0)
+            result.warnings.push_back(
+                {stage.name,
+                 fmt::format("In {} substeps so much cloth was near, and so fast, that it was held back: its "
+                             "pairs would not have found room in memory.",
+                             stage.heldBack)});
+}
+
 void warnOfUnsolvedSteps(SewReport& result) {
     for (const PhaseRun& phase : result.phases)
         if (phase.unsolvedSteps > 0)
@@ -191,6 +201,7 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
             {simulation.seams()[seam], simulation.seams()[seam].merged ? SeamGap{} : simulation.gapOf(seam)});
     warnOfOpenSeams(result);
     warnOfCrossedLayers(result, simulation);
+    warnOfHeldBackCloth(result, simulation);
     result.phases = simulation.phases();
     warnOfUnsolvedSteps(result);
     for (const Warning& warning : simulation.garment().mesh->report.warnings) result.warnings.push_back(warning);

@@ -78,8 +78,12 @@ dynamics::ParticleState merged(const dynamics::ParticleState& before, const Garm
 void addCosts(std::vector<StepPlan::StageCost>& sum, const std::vector<StepPlan::StageCost>& more) {
     for (const StepPlan::StageCost& cost : more) {
         const auto same = std::ranges::find(sum, cost.name, &StepPlan::StageCost::name);
-        if (same == sum.end()) sum.push_back({cost.name, cost.seconds, 0});
-        else same->seconds += cost.seconds;
+        if (same == sum.end()) {
+            sum.push_back({cost.name, cost.seconds, 0, cost.heldBack});
+        } else {
+            same->seconds += cost.seconds;
+            same->heldBack += cost.heldBack;
+        }
     }
 }
 

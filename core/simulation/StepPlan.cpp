@@ -15,6 +15,7 @@ public:
 
     [[nodiscard]] std::string_view name() const override { return stage_->name(); }
     [[nodiscard]] std::size_t bytes() const override { return stage_->bytes(); }
+    [[nodiscard]] int heldBack() const override { return stage_->heldBack(); }
     void beginStep(const dynamics::ParticleState& state, double duration) override {
         timed([&] { stage_->beginStep(state, duration); });
     }
@@ -70,7 +71,8 @@ dynamics::Stage* StepPlan::find(std::string_view name) const {
 
 std::vector<StepPlan::StageCost> StepPlan::costs() const {
     std::vector<StageCost> costs;
-    for (const auto& timed : owned_) costs.push_back({std::string(timed->name()), timed->seconds(), timed->bytes()});
+    for (const auto& timed : owned_)
+        costs.push_back({std::string(timed->name()), timed->seconds(), timed->bytes(), timed->heldBack()});
     return costs;
 }
 

@@ -35,6 +35,7 @@ public:
         std::string name;
         double seconds = 0;    ///< spent in this stage
         std::size_t bytes = 0; ///< held now
+        int heldBack = 0;      ///< substeps
     };
     [[nodiscard]] std::vector<StageCost> costs() const;
 

@@ -118,6 +118,9 @@ private slots:
     void findsWhatBruteForceFinds_data();
     void findsWhatBruteForceFinds();
     void findsEveryPairThatMeetsOnTheWay();
+    void findsEveryPairThatBoxesLetMeet();
+    void whatFliesTogetherIsNoNearer();
+    void morePairsThanAskedForAreNone();
     void elementsWithACommonCornerAreNoPair();
     void piercingsAreThoseOfTheReferee();
     void aFlatSheetDoesNotPierceItselfHoweverItLies();
@@ -175,7 +178,7 @@ void tst_SelfProximity::findsWhatBruteForceFinds() {
             if (separationOf(pair, x).distance <= reach) expected.push_back(canonical(pair));
         std::ranges::sort(expected);
         QVERIFY(!expected.empty());
-        QVERIFY2(canonical(proximity.pairsWithin(reach, x, {})) == expected, qPrintable(QString("seed %1").arg(seed)));
+        QVERIFY2(canonical(*proximity.pairsWithin(reach, x)) == expected, qPrintable(QString("seed %1").arg(seed)));
     }
 }
 
@@ -190,7 +193,7 @@ void tst_SelfProximity::findsEveryPairThatMeetsOnTheWay() {
         const std::vector<Vec3> x = crumpled(n, random);
         std::vector<Vec3> moves = scattered(x.size(), 0.005, random);
         for (Vec3& move : moves) move += {0.1, 0, 0}; // together, ten cells far
-        const auto found = canonical(proximity.pairsWithin(reach, x, moves));
+        const auto found = canonical(*proximity.pairsInStep(reach, x, moves));
         std::set<ElementPair> meeting;
         for (int step = 0; step <= 10; ++step) {
             std::vector<Vec3> there = x;
@@ -203,10 +206,65 @@ void tst_SelfProximity::findsEveryPairThatMeetsOnTheWay() {
     }
 }
 
+void tst_SelfProximity::findsEveryPairThatBoxesLetMeet() {
+    const int n = 8;
+    const auto triangles = sheetTriangles(n);
+    const auto pairs = allPairs(triangles, n * n);
+    SelfProximity proximity(triangles, flatSheet(n, 0.01));
+    constexpr double reach = 0.001;
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> part(0, 1);
+        const std::vector<Vec3> x = crumpled(n, random);
+        std::vector<geometry::Box3> boxes;
+        for (std::size_t v = 0; v < x.size(); ++v) { // most are small, and a few reach far
+            const std::vector<Vec3> ends = scattered(2, random() % 8 == 0 ? 0.02 : 0.0005, random);
+            boxes.push_back(
+                {{std::min(ends[0].x, ends[1].x), std::min(ends[0].y, ends[1].y), std::min(ends[0].z, ends[1].z)},
+                 {std::max(ends[0].x, ends[1].x), std::max(ends[0].y, ends[1].y), std::max(ends[0].z, ends[1].z)}});
+        }
+        const auto found = canonical(*proximity.pairsInBoxes(reach, x, boxes));
+        std::set<ElementPair> meeting;
+        for (int trial = 0; trial < 200; ++trial) { // corners of boxes, and anywhere
+            std::vector<Vec3> there = x;
+            for (std::size_t v = 0; v < x.size(); ++v)
+                for (int axis = 0; axis < 3; ++axis) {
+                    const double t = trial % 2 ? part(random) : static_cast<double>(random() % 2);
+                    there[v][axis] += (1 - t) * boxes[v].low[axis] + t * boxes[v].high[axis];
+                }
+            for (const ElementPair& pair : pairs)
+                if (separationOf(pair, there).distance <= reach) meeting.insert(canonical(pair));
+        }
+        QVERIFY(!meeting.empty() && std::ranges::includes(found, meeting));
+        QVERIFY(found.size() < pairs.size() / 2);
+    }
+}
+
+void tst_SelfProximity::whatFliesTogetherIsNoNearer() {
+    const int n = 12;
+    SelfProximity proximity(sheetTriangles(n), flatSheet(n, 0.01));
+    std::mt19937 random(3);
+    const std::vector<Vec3> x = crumpled(n, random);
+    const std::vector<Vec3> moves(x.size(), {0.3, 0.2, -0.1});
+    QVERIFY(canonical(*proximity.pairsInStep(0.002, x, moves)) == canonical(*proximity.pairsWithin(0.002, x)));
+}
+
+void tst_SelfProximity::morePairsThanAskedForAreNone() {
+    const int n = 12;
+    SelfProximity proximity(sheetTriangles(n), flatSheet(n, 0.01));
+    std::mt19937 random(4);
+    const std::vector<Vec3> x = crumpled(n, random), moves(x.size());
+    const std::vector<geometry::Box3> boxes(x.size());
+    const std::size_t all = proximity.pairsWithin(0.004, x)->size();
+    QVERIFY(proximity.pairsWithin(0.004, x, all) && !proximity.pairsWithin(0.004, x, all - 1));
+    QVERIFY(proximity.pairsInStep(0.004, x, moves, all) && !proximity.pairsInStep(0.004, x, moves, all - 1));
+    QVERIFY(proximity.pairsInBoxes(0.004, x, boxes, all) && !proximity.pairsInBoxes(0.004, x, boxes, all - 1));
+}
+
 void tst_SelfProximity::elementsWithACommonCornerAreNoPair() {
     const std::vector<Vec3> x{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1}};
     SelfProximity proximity({{0, 1, 2}, {1, 3, 2}}, x);
-    const auto found = canonical(proximity.pairsWithin(10, x, {}));
+    const auto found = canonical(*proximity.pairsWithin(10, x));
     // Corner 0 and the far triangle, corner 3 and the near one, and the two pairs of opposite sides.
     QCOMPARE(found.size(), std::size_t(4));
     QCOMPARE(std::ranges::count(found, 1, &ElementPair::firstCount), 2);
@@ -248,7 +306,7 @@ void tst_SelfProximity::aFlatSheetDoesNotPierceItselfHoweverItLies() {
 
 void tst_SelfProximity::aFlatSheetHasNothingWithinHalfACell() {
     SelfProximity proximity(sheetTriangles(20), flatSheet(20, 0.01));
-    QVERIFY(proximity.pairsWithin(0.005, flatSheet(20, 0.01), {}).empty());
+    QVERIFY(proximity.pairsWithin(0.005, flatSheet(20, 0.01))->empty());
     QVERIFY(proximity.piercings(flatSheet(20, 0.01)).empty());
 }
 

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/Statics.h"
+#include "core/dynamics/Ways.h"
+#include "tests/dynamics/LayeredCloth.h"
+
+#include <QtTest>
+#include <random>
+#include <set>
+
+using namespace toile;
+using namespace toile::layers;
+using collision::ElementPair;
+using dynamics::SelfContact;
+using dynamics::SelfContactSettings;
+
+namespace {
+
+constexpr double frame = 1.0 / 60;
+
+/// Two square sheets of 5 mm cells, one `gap` above the other.
+Cloth twoSheets(int cells, double gap) {
+    Cloth cloth;
+    const double size = 0.005 * cells;
+    append(cloth, size, cells, size, cells, 0.3, [](const Vec2& m) { return Vec3{m.x, 0, -m.y}; });
+    append(cloth, size, cells, size, cells, 0.3, [=](const Vec2& m) {
+        return Vec3{m.x + 0.0012, gap, -m.y - 0.0017}; // no edges lie on each other
+    });
+    return cloth;
+}
+
+/// The stage alone: one substep in which particles should go some way.
+struct OneSubstep {
+    explicit OneSubstep(const Cloth& c, SelfContactSettings settings = {})
+        : cloth(c), inverseMass(c.model.mass.size()), previous(c.state.positions),
+          contact(c.model, c.surface, settings) {
+        for (std::size_t p = 0; p < inverseMass.size(); ++p) inverseMass[p] = 1 / c.model.mass[p];
+    }
+    /// Returns where it let them go.
+    std::vector<Vec3> go(std::vector<Vec3> positions) {
+        constexpr double duration = frame / 20;
+        contact.beginStep({previous, {}, 0}, frame);
+        dynamics::Substep substep{positions, previous, inverseMass, duration, duration};
+        contact.project(substep);
+        return positions;
+    }
+
+    const Cloth& cloth;
+    std::vector<double> inverseMass;
+    std::vector<Vec3> previous;
+    SelfContact contact;
+};
+
+std::size_t pairsWhenOneFalls(const Cloth& cloth, double way) {
+    OneSubstep substep(cloth);
+    std::vector<Vec3> positions = cloth.state.positions;
+    positions[positions.size() * 3 / 4].y -= way; // in the middle of the upper sheet
+    const std::vector<Vec3> held = substep.go(positions);
+    if (held[positions.size() * 3 / 4].y <= 0 || substep.contact.searches() != 2) return 0;
+    return substep.contact.nearPairs();
+}
+
+/// A sheet over a pinned one, falling.
+Cloth fallingSheet(double speed) {
+    Cloth cloth;
+    append(cloth, 0.2, 20, 0.2, 20, 0.3, [](const Vec2& m) { return Vec3{m.x - 0.1, 0, 0.1 - m.y}; });
+    pin(cloth, 0, cloth.model.particleCount());
+    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) {
+        const Vec2 p = geometry::rotated(m - Vec2{0.05, 0.05}, 0.3);
+        return Vec3{p.x, 0.01 + 0.02 * p.x * p.x, -p.y};
+    });
+    for (std::size_t p = cloth.model.pinned.size(); p < cloth.state.positions.size(); ++p)
+        cloth.state.velocities[p] = {0.1 * speed, -speed, 0};
+    return cloth;
+}
+
+std::set<ElementPair> elementsOf(const std::vector<collision::SelfProximity::Near>& found) {
+    std::set<ElementPair> pairs;
+    for (const auto& near : found) pairs.insert(near.pair);
+    return pairs;
+}
+
+} // namespace
+
+/// Which pairs self-contact watches: as many as speeds ask for, where they do, and no more than there is room for.
+class tst_SelfContactNeighbours : public QObject {
+    Q_OBJECT
+private slots:
+    void aFastParticleBringsItsOwnNeighboursOnly();
+    void noPairIsMissedWhateverPartOfTheirWaysParticlesGo();
+    void withRoomForFewPairsLayersStayApart_data();
+    void withRoomForFewPairsLayersStayApart();
+    void withRoomForFewPairsWaysAreCut();
+    void withRoomForNoneNothingMoves();
+    void staticsWithRoomForFewPairsComesToTheSameRest();
+};
+
+/// 45 000 particles, of which one goes 40 mm in a substep.
+void tst_SelfContactNeighbours::aFastParticleBringsItsOwnNeighboursOnly() {
+    const Cloth cloth = twoSheets(149, 0.002);
+    QCOMPARE(cloth.model.particleCount(), 45000);
+    const std::size_t slow = pairsWhenOneFalls(cloth, 0.005), fast = pairsWhenOneFalls(cloth, 0.04);
+    QVERIFY2(slow > 100000 && fast < slow + slow / 100, qPrintable(QString("%1 and %2 pairs").arg(slow).arg(fast)));
+}
+
+void tst_SelfContactNeighbours::noPairIsMissedWhateverPartOfTheirWaysParticlesGo() {
+    constexpr double reach = 0.001;
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> part(0, 1);
+        const auto somewhere = [&](double size) {
+            return size * Vec3{2 * part(random) - 1, 2 * part(random) - 1, 2 * part(random) - 1};
+        };
+        Cloth cloth = twoSheets(5, 0.004);
+        const int count = cloth.model.particleCount();
+        for (int p = 1; p + 1 < count; p += 5) // every fifth hangs on its neighbours
+            cloth.model.slaves.push_back({p, {{p - 1, 0.3}, {p + 1, 0.7}}});
+        const auto placed = [&](std::vector<Vec3> x) {
+            for (const cloth::Slave& slave : cloth.model.slaves) {
+                x[slave.particle] = {};
+                for (const auto& [master, weight] : slave.masters) x[slave.particle] += weight * x[master];
+            }
+            return x;
+        };
+        std::vector<Vec3> from = cloth.state.positions;
+        for (Vec3& p : from) p += somewhere(0.002);
+        from = placed(from);
+        std::vector<Vec3> to = from;
+        for (Vec3& p : to) p += somewhere(random() % 8 == 0 ? 0.02 : 0.001); // a few are fast
+        to = placed(to);
+
+        collision::SelfProximity proximity(cloth.surface.triangles, cloth.state.positions);
+        const auto all = elementsOf(*proximity.pairsWithin(10, from));
+        const auto found =
+            elementsOf(*proximity.pairsInBoxes(reach, from, dynamics::waysOf(cloth.model, from, to)));
+        std::set<ElementPair> meeting;
+        for (int trial = 0; trial < 400; ++trial) {
+            std::vector<Vec3> x(from.size());
+            for (std::size_t p = 0; p < x.size(); ++p)
+                x[p] = lerp(from[p], to[p], trial % 2 ? part(random) : static_cast<double>(random() % 2));
+            x = placed(x);
+            for (const ElementPair& pair : all)
+                if (collision::separationOf(pair, x).distance <= reach) meeting.insert(pair);
+        }
+        QVERIFY(!meeting.empty() && std::ranges::includes(found, meeting));
+        QVERIFY2(found.size() < all.size() / 2, qPrintable(QString("%1 of %2").arg(found.size()).arg(all.size())));
+    }
+}
+
+void tst_SelfContactNeighbours::withRoomForFewPairsLayersStayApart_data() {
+    QTest::addColumn<double>("speed");
+    for (const double speed : {0.0, 1.0, 10.0, 100.0}) QTest::addRow("%g m/s", speed) << speed;
+}
+
+void tst_SelfContactNeighbours::withRoomForFewPairsLayersStayApart() {
+    QFETCH(double, speed);
+    SelfContactSettings settings;
+    settings.mostPairs = 1000; // 4400 come within the usual reach
+    Cloth cloth = fallingSheet(speed);
+    SelfContact contact(cloth.model, cloth.surface, settings);
+    dynamics::Xpbd xpbd(cloth.model, {.damping = 5});
+    std::array<dynamics::Stage*, 1> stages{&contact};
+    for (int f = 0; f < 30; ++f) {
+        QVERIFY(xpbd.step(cloth.state, frame, 20, {0, -9.81, 0}, stages));
+        QVERIFY(contact.nearPairs() <= settings.mostPairs);
+        QCOMPARE(cloth.intersections(), 0);
+    }
+    QVERIFY(contact.shortSearches() > 0);
+    for (int p = static_cast<int>(cloth.model.pinned.size()); p < cloth.model.particleCount(); ++p)
+        QVERIFY(cloth.state.positions[p].y > 0);
+}
+
+void tst_SelfContactNeighbours::withRoomForFewPairsWaysAreCut() {
+    const Cloth cloth = twoSheets(20, 0.002);
+    SelfContactSettings settings;
+    settings.mostPairs = 16000; // 41 000 are within the usual reach before anything moves
+    OneSubstep substep(cloth, settings);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> way(-0.04, 0.04);
+    std::vector<Vec3> positions = cloth.state.positions; // each on a way of its own, through all others
+    for (Vec3& p : positions) p += Vec3{way(random), way(random), way(random)};
+    Cloth after = cloth;
+    after.state.positions = substep.go(positions);
+    QCOMPARE(substep.contact.heldBack(), 1);
+    QVERIFY(substep.contact.nearPairs() <= settings.mostPairs);
+    QVERIFY(after.state.positions != cloth.state.positions);
+    QCOMPARE(after.intersections(), 0);
+}
+
+void tst_SelfContactNeighbours::withRoomForNoneNothingMoves() {
+    const Cloth cloth = twoSheets(10, 0.0004); // nearer than they are thick
+    SelfContactSettings settings;
+    settings.mostPairs = 10;
+    OneSubstep substep(cloth, settings);
+    std::vector<Vec3> positions = cloth.state.positions;
+    for (Vec3& p : positions) p.x += 0.001;
+    QVERIFY(substep.go(positions) == cloth.state.positions);
+    QCOMPARE(substep.contact.heldBack(), 1);
+    QVERIFY(substep.contact.shortSearches() > 0);
+
+    substep.contact.beginIteration(cloth.state.positions);
+    QCOMPARE(substep.contact.energy(cloth.state.positions), 0.0);
+    QCOMPARE(substep.contact.energy(positions), std::numeric_limits<double>::infinity());
+}
+
+void tst_SelfContactNeighbours::staticsWithRoomForFewPairsComesToTheSameRest() {
+    Cloth cloth = fallingSheet(0);
+    SelfContactSettings settings;
+    settings.mostPairs = 3000; // 4400 come within the usual reach; moves that are much shorter are many
+    SelfContact contact(cloth.model, cloth.surface, settings);
+    dynamics::Stage* stages[]{&contact};
+    const auto rest = dynamics::solveStatic(cloth.model, cloth.state, {0, -9.81, 0}, stages);
+    QVERIFY(rest);
+    QVERIFY2(rest->newton.converged, qPrintable(QString::number(rest->newton.residual)));
+    QVERIFY(contact.shortSearches() > 0 && contact.nearPairs() <= settings.mostPairs);
+    QCOMPARE(cloth.intersections(), 0);
+    for (int p = static_cast<int>(cloth.model.pinned.size()); p < cloth.model.particleCount(); ++p)
+        QVERIFY(cloth.state.positions[p].y > 0 && cloth.state.positions[p].y < thickness);
+}
+
+QTEST_APPLESS_MAIN(tst_SelfContactNeighbours)
+#include "tst_SelfContactNeighbours.moc"
