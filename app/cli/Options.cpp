@@ -111,7 +111,7 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
                         "keep every frame step: a point cache (.pc2), or a folder for .obj files");
     command
         ->add_option("--picture", options->pictures,
-                     "write pictures; front, back, left, right or top by the file's name")
+                     "write a picture; front, back, left, right or top by the file's name; may be given again")
         ->delimiter(',')
         ->allow_extra_args(false); // a FILE behind it is not one more picture
     command->add_option("--report", options->report, "write sew.json");

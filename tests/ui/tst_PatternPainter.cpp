@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
 #include "ui/pattern/Colours.h"
+#include "ui/pattern/NamePlace.h"
 #include "ui/pattern/PatternPainter.h"
 
 #include <QTest>
@@ -40,6 +41,7 @@ private Q_SLOTS:
     void pinsAreSeenAlsoWhilePointsAre();
     void selectionStandsOut();
     void overlayStandsOut();
+    void namesHideNoDart();
     void gridStepsAreOneTwoFive();
     void chineseIsNotBoxes();
 };
@@ -107,6 +109,26 @@ void tst_PatternPainter::overlayStandsOut() {
     Overlay overlay;
     overlay.labels.push_back({{0, 0}, QStringLiteral("250.0 mm")});
     QVERIFY(different(paintedImage(twoRectangles(), {}, {}, overlay), paintedImage(twoRectangles())) > 200);
+}
+
+void tst_PatternPainter::namesHideNoDart() {
+    document::Document document = twoRectangles();
+    const FlatPattern plain = flattened(document.pattern);
+    const ViewTransform view = fitted({{}, 1000, {400, 400}}, boundsOf(plain), 40);
+    const QSizeF size(50, 18);
+    const QRectF wished = placeOfName(view, plain.pieces[0], {}, size);
+    QVERIFY(covers(plain.pieces[0], view.toPattern(wished.center())));
+    // A hole just where the name was: it goes beside it.
+    FlatPiece holed = plain.pieces[0];
+    const Vec2 middle = view.toPattern(wished.center());
+    const std::vector<Vec2> corners{middle, middle + Vec2{0.004, 0.02}, middle + Vec2{0, 0.04}};
+    holed.holes.push_back({{{corners[0], corners[1]}, {corners[1], corners[2]}, {corners[2], corners[0]}}, corners});
+    const QRectF moved = placeOfName(view, holed, {}, size);
+    QVERIFY(covers(holed, view.toPattern(moved.center())));
+    for (const Vec2 corner : corners) QVERIFY(!moved.contains(view.toScreen(corner)));
+    // A piece smaller than its name has it beneath.
+    const QRectF below = placeOfName(view, plain.pieces[0], {}, {4000, 18});
+    QVERIFY(below.top() > view.toScreen(boundsOf(plain.pieces[0]).low).y());
 }
 
 void tst_PatternPainter::gridStepsAreOneTwoFive() {

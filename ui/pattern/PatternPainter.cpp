@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pattern/PatternPainter.h"
 #include "ui/pattern/Colours.h"
+#include "ui/pattern/NamePlace.h"
 #include "ui/values/Picking.h"
 
 #include <QPainterPath>
@@ -150,35 +151,13 @@ void paintInternalLines(QPainter& painter, const ViewTransform& view, const Piec
     for (const InternalLine& line : piece.internalLines) painter.drawPolyline(onScreen(view, line.points));
 }
 
-/// Where a name of this size hides neither grain nor border: in the piece below its grain line, above it, in the middle
-/// where there is none; else under the piece.
-QRectF placeOfName(const ViewTransform& view, const FlatPiece& piece, QSizeF size) {
-    const geometry::Box2 box = boundsOf(piece);
-    QRectF place({}, size);
-    place.moveCenter(view.toScreen(lerp(box.low, box.high, 0.5)));
-    const auto isInside = [&](const QRectF& rect) {
-        const QPolygonF corners(rect.adjusted(-3, -3, 3, 3));
-        return std::ranges::all_of(corners, [&](QPointF corner) { return covers(piece, view.toPattern(corner)); });
-    };
-    std::vector<QRectF> places{place};
-    if (const auto grain = grainLine(view, piece)) {
-        constexpr double apart = 3; // [pixel]
-        places = {place, place};
-        places[0].moveTop(std::max(grain->y1(), grain->y2()) + apart);
-        places[1].moveBottom(std::min(grain->y1(), grain->y2()) - apart);
-    }
-    if (const auto found = std::ranges::find_if(places, isInside); found != places.end()) return *found;
-    place.moveTop(view.toScreen(box.low).y() + 4);
-    return place;
-}
-
 void paintName(QPainter& painter, const ViewTransform& view, const FlatPiece& piece) {
     const geometry::Box2 box = boundsOf(piece);
     const QString name = QString::fromStdString(piece.piece.name);
     const QFontMetricsF metrics(painter.font());
     const QRectF text = metrics.boundingRect(name);
     if (text.width() > (box.high.x - box.low.x) * view.scale) return;
-    const QRectF place = placeOfName(view, piece, {text.width() + 12, metrics.height() + 4});
+    const QRectF place = placeOfName(view, piece, grainLine(view, piece), {text.width() + 12, metrics.height() + 4});
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(255, 255, 255, 200));
     painter.drawRoundedRect(place, 3, 3);
