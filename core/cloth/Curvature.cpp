@@ -35,7 +35,7 @@ public:
     Lines(const Patch& patch, std::span<const Vec3> positions)
         : patch_(patch), positions_(positions), neighbours_(neighboursOf(patch)) {}
 
-    void append(std::vector<Curvature>& out, std::array<int, 2> Neighbours::* line) const {
+    void append(std::vector<Curvature>& out, std::array<int, 2> Neighbours::*line) const {
         std::vector<std::optional<double>> values(neighbours_.size());
         for (std::size_t n = 0; n < values.size(); ++n)
             if (neighbours_[n].isInner()) values[n] = curvatureAt(static_cast<int>(n), neighbours_[n].*line);
@@ -43,7 +43,8 @@ public:
             if (!values[n]) continue;
             const auto& [before, after] = neighbours_[n].*line;
             if (!values[before] || !values[after]) continue;
-            out.push_back({*values[n], *values[n] / 2 - (*values[before] + *values[after]) / 4, areaOf(neighbours_[n])});
+            out.push_back(
+                {*values[n], *values[n] / 2 - (*values[before] + *values[after]) / 4, areaOf(neighbours_[n])});
         }
     }
 

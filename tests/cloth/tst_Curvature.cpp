@@ -42,8 +42,7 @@ private slots:
 
     void aZigzagAlternates() {
         const double a = 1e-5;
-        const auto all = curvaturesOf(
-            [&](Vec2 p) { return std::lround(p.y / spacing) % 2 == 0 ? a : -a; });
+        const auto all = curvaturesOf([&](Vec2 p) { return std::lround(p.y / spacing) % 2 == 0 ? a : -a; });
         for (int k = counted; k < 2 * counted; ++k) {
             QVERIFY(std::abs(std::abs(all[k].value) - 4 * a / (spacing * spacing)) < 1e-9);
             QVERIFY(std::abs(all[k].alternating - all[k].value) < 1e-9);
@@ -53,8 +52,8 @@ private slots:
     void aFoldThatTheMeshResolvesHardlyAlternates() {
         const double wave = 8 * spacing;
         double squares = 0, alternating = 0;
-        for (const auto& c :
-             curvaturesOf([&](Vec2 p) { return 1e-5 * std::sin(2 * std::numbers::pi * (p.x + 0.3 * spacing) / wave); })) {
+        for (const auto& c : curvaturesOf(
+                 [&](Vec2 p) { return 1e-5 * std::sin(2 * std::numbers::pi * (p.x + 0.3 * spacing) / wave); })) {
             squares += c.value * c.value;
             alternating += c.alternating * c.alternating;
         }

@@ -130,8 +130,7 @@ void tst_SelfContactNeighbours::noPairIsMissedWhateverPartOfTheirWaysParticlesGo
 
         collision::SelfProximity proximity(cloth.surface.triangles, cloth.state.positions);
         const auto all = elementsOf(*proximity.pairsWithin(10, from));
-        const auto found =
-            elementsOf(*proximity.pairsInBoxes(reach, from, dynamics::waysOf(cloth.model, from, to)));
+        const auto found = elementsOf(*proximity.pairsInBoxes(reach, from, dynamics::waysOf(cloth.model, from, to)));
         std::set<ElementPair> meeting;
         for (int trial = 0; trial < 400; ++trial) {
             std::vector<Vec3> x(from.size());
