@@ -1,40 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/io/DocumentFile.h"
+#include "bench/MeshInputs.h"
 #include "core/meshing/GarmentMesher.h"
 #include "core/pattern/PatternContours.h"
 #include "core/simulation/Garment.h"
-#include "core/simulation/MeshInputOf.h"
 #include "core/study/Calibration.h"
 
-#include <algorithm>
 #include <benchmark/benchmark.h>
 #include <cstdlib>
 #include <ctime>
 #include <malloc.h>
-#include <string>
 
 /// Times of the mesher on one piece, which takes one core, without the measuring for its report. `hash` tells
 /// a faster wrong answer from a right one; `calibrated` is the time divided by that of a million spring
 /// forces.
 namespace toile::bench {
 namespace {
-
-pattern::Pattern sample(const std::string& name) {
-    auto opened = io::readDocument(TOILE_SAMPLES "/" + name + ".toile");
-    if (!opened) std::abort();
-    return opened->document.pattern;
-}
-
-/// The back of the blouse, 0.28 m² with curved armholes and neckline, without its regions.
-meshing::MeshInput blouseBack(double spacing) {
-    auto input = simulation::meshInputOf(sample("blouse"), {.spacing = spacing});
-    if (!input) std::abort();
-    std::erase_if(input->pieces, [](const auto& piece) { return piece.label != "Back"; });
-    if (input->pieces.size() != 1) std::abort();
-    input->pieces[0].regions.clear();
-    input->seams.clear();
-    return *input;
-}
 
 /// FNV-1a over the bits of all places and corners.
 std::uint64_t hashOf(const meshing::PieceMesh& mesh) {
