@@ -49,6 +49,7 @@ Json fabricJson(const material::Fabric& fabric) {
         .set("arealDensity", fabric.arealDensity);
     json.set("warpStiffness", fabric.warpStiffness).set("weftStiffness", fabric.weftStiffness);
     json.set("shearStiffness", fabric.shearStiffness).set("bendingLength", material::bendingLength(fabric));
+    json.set("proposedSpacing", material::proposedSpacing(fabric));
     return json.set("source", fabric.source);
 }
 

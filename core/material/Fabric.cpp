@@ -45,6 +45,11 @@ double bendingLength(const Fabric& fabric) {
     return std::cbrt(0.5 * (fabric.warpBending + fabric.weftBending) / (fabric.arealDensity * gravity));
 }
 
+double proposedSpacing(const Fabric& fabric) {
+    constexpr double millimetre = 1e-3;
+    return std::max(1.0, std::floor(0.5 * bendingLength(fabric) / millimetre + 1e-9)) * millimetre;
+}
+
 Result<void> checked(const Fabric& fabric) {
     const auto bad = [&](const char* field, double value, const char* wanted) -> Result<void> {
         Place place = placeOf(fabric);

@@ -65,6 +65,10 @@ struct MembraneStiffness {
 /// (B/ρg)^(1/3) of the mean bending stiffness [m]: the length over which the cloth holds itself up.
 [[nodiscard]] double bendingLength(const Fabric& fabric);
 
+/// The largest main spacing that shows the folds of this cloth [m]: half its bending length, rounded down to a whole
+/// millimetre, but at least one.
+[[nodiscard]] double proposedSpacing(const Fabric& fabric);
+
 /// Finite, positive where needed; the sentence names the field, and so does the error's path.
 [[nodiscard]] Result<void> checked(const Fabric& fabric);
 

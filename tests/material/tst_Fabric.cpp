@@ -57,6 +57,11 @@ void tst_Fabric::theBendingLengthFollowsItsFormula() {
     fabric.arealDensity = 0.1;
     fabric.warpBending = fabric.weftBending = 0.981e-6; // B/ρg = 1e-6 m³
     QVERIFY(std::abs(bendingLength(fabric) - 0.01) < 1e-15);
+    QCOMPARE(proposedSpacing(fabric), 0.005);
+    fabric.warpBending = fabric.weftBending = 1.2e-6; // bending length 10.7 mm
+    QCOMPARE(proposedSpacing(fabric), 0.005);
+    fabric.warpBending = fabric.weftBending = 0;
+    QCOMPARE(proposedSpacing(fabric), 0.001);
 }
 
 void tst_Fabric::aWrongConstantIsNamed_data() {

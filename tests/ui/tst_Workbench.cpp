@@ -78,6 +78,7 @@ private Q_SLOTS:
     void savedWorkLeavesNothingToRecover();
     void selectionForgetsWhatIsDeleted();
     void everyNumberOfASheetSetsWhatItShows();
+    void theSheetOfAPieceProposesItsSpacing();
 };
 
 void tst_Workbench::anEditMakesANewScene() {
@@ -275,6 +276,21 @@ void tst_Workbench::everyNumberOfASheetSetsWhatItShows() {
         }
     }
     QVERIFY(numbers > 15);
+}
+
+void tst_Workbench::theSheetOfAPieceProposesItsSpacing() {
+    Fixture fixture;
+    const Workbench bench(fixture.parts()); // its empty document has a fabric
+    const document::Document document = withRectangle(bench.document(), "Front", {0, 0}, 0.2, 0.3);
+    const auto& piece = document.pattern.pieces[0];
+    const FlatPattern flat = flattened(document.pattern);
+    const PropertySheet sheet = sheetOf({document, flat, {piece->id}}, {});
+    const auto row = std::ranges::find(sheet.rows, QStringLiteral("proposedSpacing"), &PropertyRow::name);
+    QVERIFY(row != sheet.rows.end());
+    const auto after = std::get<ActionRow>(row->content).act(document);
+    QVERIFY(after);
+    QCOMPARE(after->pattern.pieces[0]->spacing,
+             material::proposedSpacing(*findFabric(document.pattern, piece->fabric)));
 }
 
 QTEST_GUILESS_MAIN(tst_Workbench)

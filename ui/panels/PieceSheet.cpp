@@ -161,6 +161,13 @@ PropertySheet pieceSheet(const Document& document, const Piece& piece, const mes
     sheet.rows.push_back({QStringLiteral("spacing"), tr("Particle distance"),
                           NumberRow{Quantity::length, piece.spacing, 0.001, 0.2, 1, setting(piece.id, setSpacing)},
                           tr("ε_m, the spacing of the main region: smaller is finer and slower.")});
+    if (const auto* cloth = findFabric(document.pattern, piece.fabric)) {
+        const double proposed = material::proposedSpacing(*cloth);
+        sheet.rows.push_back(
+            {QStringLiteral("proposedSpacing"), tr("Use %1 for this fabric").arg(textOf(Quantity::length, proposed)),
+             ActionRow{[id = piece.id, proposed](const Document& d) { return setting(id, setSpacing)(d, proposed); }},
+             tr("Half the bending length: coarser, its folds are not seen.")});
+    }
     if (!piece.mirror)
         sheet.rows.push_back({QStringLiteral("grain"), tr("Grain"),
                               NumberRow{Quantity::angle, piece.grain, -std::numbers::pi, std::numbers::pi, 5,
