@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
 #include "core/io/ToileFile.h"
+#include "core/pattern/PatternFabrics.h"
 #include "ui/panels/PropertySheet.h"
 #include "ui/workbench/Workbench.h"
 
@@ -281,7 +282,9 @@ void tst_Workbench::everyNumberOfASheetSetsWhatItShows() {
 void tst_Workbench::theSheetOfAPieceProposesItsSpacing() {
     Fixture fixture;
     const Workbench bench(fixture.parts()); // its empty document has a fabric
-    const document::Document document = withRectangle(bench.document(), "Front", {0, 0}, 0.2, 0.3);
+    document::Document document = withRectangle(bench.document(), "Front", {0, 0}, 0.2, 0.3);
+    const Shared<pattern::Fabric> cloth = document.pattern.fabrics.front();
+    document.pattern = *pattern::setPieceFabric(document.pattern, document.pattern.pieces[0]->id, cloth->id);
     const auto& piece = document.pattern.pieces[0];
     const FlatPattern flat = flattened(document.pattern);
     const PropertySheet sheet = sheetOf({document, flat, {piece->id}}, {});
@@ -289,8 +292,7 @@ void tst_Workbench::theSheetOfAPieceProposesItsSpacing() {
     QVERIFY(row != sheet.rows.end());
     const auto after = std::get<ActionRow>(row->content).act(document);
     QVERIFY(after);
-    QCOMPARE(after->pattern.pieces[0]->spacing,
-             material::proposedSpacing(*findFabric(document.pattern, piece->fabric)));
+    QCOMPARE(after->pattern.pieces[0]->spacing, material::proposedSpacing(*cloth));
 }
 
 QTEST_GUILESS_MAIN(tst_Workbench)
