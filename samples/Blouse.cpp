@@ -81,12 +81,12 @@ Torso draftTorso(const body::Measurements& m, const Figures& f, const Fabric& fa
 SleeveSettings sleeveSettings(const body::Measurements& m, const BlouseSettings& s) {
     return {.width = m.biceps + s.bicepsEase,
             .bicepsBelow = s.bicepsBelow,
-            .bottom = m.wrist + s.wristEase,
+            .bottom = m.wrist + s.cuffEase,
             .frontEase = s.frontCapEase,
             .backEase = s.backCapEase};
 }
 
-/// As long, down its middle, as the arm asks once the cuff is sewn on.
+/// As long, down its middle, as is wanted once the cuff is sewn on.
 SleevePiece draftArm(const body::Measurements& m, const Torso& torso, const Fabric& fabric, const BlouseSettings& s) {
     const NotchDistances at;
     const Armholes armholes{edgeLength(torso.front, edgeId("front-left", "armhole")),
@@ -94,7 +94,7 @@ SleevePiece draftArm(const body::Measurements& m, const Torso& torso, const Fabr
     SleeveSettings settings = sleeveSettings(m, s);
     SleevePiece sleeve = draftSleevePiece(fabric, s.spacing, armholes, settings);
     for (int pass = 0; pass < 3; ++pass) { // the taper moves the cap's height by less than a millimetre
-        settings.underarmLength += m.arm + s.armEase - s.cuffWidth - (sleeve.draft.capHeight - sleeve.draft.bottomY);
+        settings.underarmLength += m.arm - s.aboveWrist - s.cuffWidth - (sleeve.draft.capHeight - sleeve.draft.bottomY);
         sleeve = draftSleevePiece(fabric, s.spacing, armholes, settings);
     }
     return sleeve;
@@ -102,7 +102,7 @@ SleevePiece draftArm(const body::Measurements& m, const Torso& torso, const Fabr
 
 Piece draftCuff(const body::Measurements& m, const Fabric& fabric, const BlouseSettings& s) {
     Piece cuff = pieceNamed("cuff-left", "Cuff left", fabric, s.spacing);
-    const double half = (m.wrist + s.wristEase) / 2;
+    const double half = (m.wrist + s.cuffEase) / 2;
     cuff.outline = contourOf("cuff-left", rectangle({-half, -s.cuffWidth}, {half, 0}));
     cuff.grain = std::numbers::pi / 2; // warp runs round the wrist
     return cuff;
@@ -159,6 +159,7 @@ document::Document blouse(const body::Measurements& m, const body::Body& body, c
     pattern.seams.push_back(waistDartSeam("front waist dart right", frontRight, ""));
     for (const std::string side : {"left", "right"})
         pattern.seams.push_back(waistDartSeam("back waist dart " + side, torso.back, "-" + side));
+    document.scene.skinOffset = 0.0035; // elbows of real arms are sharper than the mannequin's
     document.avatarFile = "bodies/mannequin.glb";
     return document;
 }

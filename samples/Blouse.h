@@ -14,21 +14,25 @@ struct WaistDart {
     double above = 0, below = 0; ///< from the waist to its tips
 };
 
-/// A woman's blouse of poplin: two fronts with a bust dart and a waist dart each, sewn shut down the centre, a back
-/// with two waist darts and four regions, sleeves with cuffs, a round neckline, the hem below the hip. Lengths [m].
+/// A woman's easy blouse of poplin: two fronts with a bust dart and a waist dart each, sewn shut down the centre, a
+/// back with two waist darts and four regions, seven-eighths sleeves with cuffs, a round neckline, the hem below the
+/// hip. Lengths [m].
 struct BlouseSettings {
     double spacing = 0.02; ///< ε_m of every piece
-    UpperBlockSettings block{.waistSuppression = 0.012,
+    UpperBlockSettings block{.bustEase = 0.12,
+                             .hipEase = 0.12,
+                             .waistSuppression = 0.012,
+                             .armholeDepth = 0.21,
                              .backShortening = 0.006,
                              .hipFullness = 0.62,
                              .hemBelowHip = 0.04,
                              .dartIntake = 0.028};
     WaistDart frontWaistDart{.fromCentre = 0.095, .intake = 0.024, .above = 0.13, .below = 0.09};
     WaistDart backWaistDart{.fromCentre = 0.082, .intake = 0.038, .above = 0.145, .below = 0.10};
-    double bicepsEase = 0.06;
+    double bicepsEase = 0.07;
     double bicepsBelow = 0.10; ///< where the arm's girth is taken, beneath the cap's base
-    double wristEase = 0.06;   ///< cuff longer than the wrist
-    double armEase = 0.01;     ///< sleeve and cuff together longer than the arm
+    double cuffEase = 0.10;    ///< cuff longer than the wrist: half of it is what the forearm is thicker where it lies
+    double aboveWrist = 0.13;  ///< where the cuff ends
     double cuffWidth = 0.05;
     double frontCapEase = 0.004, backCapEase = 0.0045; ///< above the notches
 };

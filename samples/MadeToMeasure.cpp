@@ -22,8 +22,11 @@ pattern::Pattern rolledRoundTheArms(pattern::Pattern pattern, const body::Body& 
 
 } // namespace
 
-BlouseSettings easeForBentArms() {
-    BlouseSettings settings{.bicepsEase = 0.07, .wristEase = 0.1, .armEase = 0};
+BlouseSettings closeFit() {
+    BlouseSettings settings{.aboveWrist = 0};
+    settings.block.bustEase = 0.09;
+    settings.block.hipEase = 0.06;
+    settings.block.armholeDepth = 0.20;
     settings.block.neckGap = 0.015;
     settings.frontWaistDart.intake = 0.016;
     return settings;
@@ -33,7 +36,6 @@ Result<document::Document> blouseMadeToMeasure(const body::Body& body, const Blo
     const auto measured = body::measurementsOf(body);
     if (!measured) return tl::unexpected(measured.error());
     document::Document document = blouse(*measured, body, settings);
-    document.scene.skinOffset = 0.0035; // an elbow is sharper than the mannequin's arm
     document.pattern = pattern::laidOut(rolledRoundTheArms(std::move(document.pattern), body));
     return document;
 }

@@ -5,13 +5,12 @@
 
 namespace toile::samples {
 
-/// Eases for arms that may be bent: a sleeve that is rolled round a bend needs room at the biceps to be drawn up, and a
-/// wide cuff to pass the hand. [m]
-[[nodiscard]] BlouseSettings easeForBentArms();
+/// Closer round bust and hip than the sample, with sleeves as long as the arm.
+[[nodiscard]] BlouseSettings closeFit();
 
 /// The blouse for a body that is not the mannequin: measured with the tape, drafted, its sleeves and cuffs rolled round
 /// arms that may be bent.
 [[nodiscard]] Result<document::Document> blouseMadeToMeasure(const body::Body& body,
-                                                             const BlouseSettings& settings = easeForBentArms());
+                                                             const BlouseSettings& settings = closeFit());
 
 } // namespace toile::samples

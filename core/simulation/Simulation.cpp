@@ -161,8 +161,9 @@ void Simulation::rebuildPlan() {
     Scene now = scene_;
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
     plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), state_.positions);
+    plannedDamping_ = damping();
     xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model,
-                                             dynamics::XpbdSettings{.damping = damping(), .speedLimit = 10});
+                                             dynamics::XpbdSettings{.damping = plannedDamping_, .speedLimit = 10});
     substeps_ = scene_.settings.substeps > 0
                     ? scene_.settings.substeps
                     : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
@@ -177,13 +178,13 @@ void Simulation::rebuildPlan() {
 
 std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method method) const {
     return dynamics::makeIntegrator(method, garment_->model,
-                                    {.damping = damping(), .positionTolerance = positionTolerance});
+                                    {.damping = plannedDamping_, .positionTolerance = positionTolerance});
 }
 
 double Simulation::damping() const {
-    return phase_ == Phase::sewing    ? dressing.sewingDamping
-           : phase_ == Phase::shaking ? dressing.shakingDamping
-                                      : scene_.settings.damping;
+    if (phase_ == Phase::draping) return scene_.settings.damping;
+    const bool stiffening = phase_ == Phase::shaking && state_.time < sewnTime_ + dressing.stiffeningTime;
+    return phase_ == Phase::sewing || stiffening ? dressing.sewingDamping : dressing.shakingDamping;
 }
 
 void Simulation::drapeWith(std::optional<dynamics::Method> method) {
@@ -271,7 +272,7 @@ void Simulation::goOnDressing() {
     startDueSeams();
     const Phase due = duePhase();
     if (due != phase_ && phase_ == Phase::sewing) sewnTime_ = state_.time;
-    if (due == phase_ && closingSeams().size() == closing) return;
+    if (due == phase_ && closingSeams().size() == closing && damping() == plannedDamping_) return;
     phase_ = due;
     rebuildPlan();
 }

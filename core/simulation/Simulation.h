@@ -45,10 +45,12 @@ struct PhaseRun {
 };
 
 struct DressingSettings {
-    double sewingDamping = 10; ///< mass-proportional, while seams close [1/s]
-    double shakingDamping = 3; ///< mass-proportional, after that [1/s]
-    double shakingTime = 2.0;  ///< [s]
-    int sewingSubsteps = 20;   ///< of a frame step at most, while seams close: yielding cloth sews well
+    double sewingDamping = 60;   ///< mass-proportional, while seams close: cloth that is let go by a bent tube would
+                                 ///< otherwise fling into folds that differ left and right [1/s]
+    double stiffeningTime = 0.5; ///< for which this damping goes on, as the cloth then no longer yields [s]
+    double shakingDamping = 3;   ///< mass-proportional, after that [1/s]
+    double shakingTime = 2.0;    ///< from the last seam on [s]
+    int sewingSubsteps = 20;     ///< of a frame step at most, while seams close: yielding cloth sews well
 };
 
 /// When a seam becomes one row of particles (docs/physics/seams.md).
@@ -138,7 +140,8 @@ private:
     std::vector<std::vector<double>> seamGaps_; ///< of each pair when its seam began to close [m]
     std::vector<double> seamStart_;             ///< when it began [s]; negative = not yet
     Phase phase_ = Phase::sewing;
-    double sewnTime_ = 0; ///< when the last seam was closed or given up [s]
+    double sewnTime_ = 0;       ///< when the last seam was closed or given up [s]
+    double plannedDamping_ = 0; ///< that of the plan [1/s]
     int substeps_ = 0, steps_ = 0;
     double largestSpeed_ = 0, restingTime_ = 0;
     double stepSeconds_ = 0, allSeconds_ = 0;      ///< wall time of the last frame step, of all
