@@ -132,6 +132,7 @@ FinishedPiece finishedPiece(const PieceFrame& frame, const BoundaryNodes& bounda
         if (mirrored) std::swap(t[1], t[2]);
         return t;
     };
+    mesh.triangles.reserve(cells.triangles.size());
     for (const Triangle& triangle : cells.triangles)
         mesh.triangles.push_back({turned(triangle.nodes), triangle.region, triangle.mergedWith});
 

@@ -210,10 +210,12 @@ private:
         const auto gap = [](std::int32_t a, std::int32_t b) { return std::abs(std::int64_t{a} - b); };
         for (std::size_t i = 0; i < boundary_.grid.size(); ++i) {
             const GridPoint p = boundary_.grid[i];
-            for (const int shiftX : {-sameNode, sameNode})
-                for (const int shiftY : {-sameNode, sameNode}) {
-                    const int column = IntegerLines::interval(lines_.x, std::int64_t{p.x} + shiftX);
-                    const int row = IntegerLines::interval(lines_.y, std::int64_t{p.y} + shiftY);
+            const int left = IntegerLines::interval(lines_.x, std::int64_t{p.x} - sameNode);
+            const int right = IntegerLines::interval(lines_.x, std::int64_t{p.x} + sameNode);
+            const int below = IntegerLines::interval(lines_.y, std::int64_t{p.y} - sameNode);
+            const int above = IntegerLines::interval(lines_.y, std::int64_t{p.y} + sameNode);
+            for (int column = left; column <= right; ++column)
+                for (int row = below; row <= above; ++row) {
                     const int u = lattice_.activeDivision(column, row);
                     if (u == 0) continue;
                     const int a = partOf(p.x, lines_.x[at(column)], lines_.x[at(column) + 1], u);
@@ -236,6 +238,9 @@ private:
     }
 
     void clearNearBorder() {
+        for (int column = 0; column < lattice_.columns(); ++column)
+            perUnitX_.push_back(frame_.unit / lattice_.width(column));
+        for (int row = 0; row < lattice_.rows(); ++row) perUnitY_.push_back(frame_.unit / lattice_.height(row));
         for (const Segment& segment : segments_) {
             const auto [lowX, highX] = std::minmax(segment.a.x, segment.b.x);
             const auto [lowY, highY] = std::minmax(segment.a.y, segment.b.y);
@@ -253,14 +258,16 @@ private:
     void clearCell(const Segment& segment, int column, int row) {
         const int u = lattice_.activeDivision(column, row);
         if (u == 0) return;
-        const double width = lattice_.width(column), height = lattice_.height(row);
         const double x0 = lines_.x[at(column)], y0 = lines_.y[at(row)];
-        const double scaleX = frame_.unit / width, scaleY = frame_.unit / height;
+        const double scaleX = perUnitX_[at(column)], scaleY = perUnitY_[at(row)];
         const Vec2 a{(segment.a.x - x0) * scaleX, (segment.a.y - y0) * scaleY};
         const Vec2 b{(segment.b.x - x0) * scaleX, (segment.b.y - y0) * scaleY};
-        const auto range = [&](double low, double high) {
-            return std::pair(std::max(0, static_cast<int>(std::ceil((low - cleared_) * u))),
-                             std::min(u, static_cast<int>(std::floor((high + cleared_) * u))));
+        const auto range = [&](double low, double high) { // of node lines
+            const double first = (low - cleared_) * u, last = (high + cleared_) * u;
+            if (u > 1)
+                return std::pair(std::max(0, static_cast<int>(std::ceil(first))),
+                                 std::min(u, static_cast<int>(std::floor(last))));
+            return std::pair(first <= 0 ? 0 : first <= 1 ? 1 : 2, last < 0 ? -1 : last < 1 ? 0 : 1); // the same, faster
         };
         const auto [a0, a1] = range(std::min(a.x, b.x), std::max(a.x, b.x));
         const auto [b0, b1] = range(std::min(a.y, b.y), std::max(a.y, b.y));
@@ -277,6 +284,9 @@ private:
 
     void numberInner() {
         int next = static_cast<int>(boundary_.points.size());
+        const auto most = static_cast<std::size_t>(std::count(kept_.begin(), kept_.end(), char{1}));
+        fill_.inner.reserve(most);
+        fill_.innerGrid.reserve(most);
         for (std::size_t node = 0; node < fill_.node.size(); ++node) {
             if (fill_.node[node] >= 0 || !kept_[node]) continue;
             fill_.node[node] = next++;
@@ -304,6 +314,7 @@ private:
         const int u = lattice_.activeDivision(column, row);
         if (u == 0) return;
         const auto range = [&](std::int32_t p, std::int32_t q, std::int32_t low, std::int32_t high) {
+            if (u == 1) return std::pair(0, 0);
             const double size = static_cast<double>(std::int64_t{high} - low) / u;
             const double first = (static_cast<double>(std::min(p, q)) - low - sameNode) / size;
             const double last = (static_cast<double>(std::max(p, q)) - low + sameNode) / size;
@@ -416,6 +427,7 @@ private:
     std::vector<int> coarsest_; ///< smallest u among the main cells that have the node; 0 = none is active
     std::vector<Vec2> position_;
     std::vector<char> kept_, blocked_;
+    std::vector<double> perUnitX_, perUnitY_; ///< part of a main column's (row's) size [–]
     std::vector<int> before_, after_;
 };
 

@@ -24,12 +24,6 @@ double Lattice::between(const std::vector<double>& lines, int interval, int part
     return low + (high - low) * part / parts;
 }
 
-int Lattice::activeDivision(int column, int row) const {
-    if (!holds(column, row)) return 0;
-    const std::size_t c = size(cell(column, row));
-    return active[c] ? division[c] : 0;
-}
-
 int Lattice::horizontalDivision(int column, int row) const {
     return std::max({1, activeDivision(column, row), activeDivision(column, row - 1)});
 }
@@ -83,8 +77,7 @@ int Lattice::verticalNode(int column, int row, int k) const {
     return verticalNodes_[size(row * (columns() + 1) + column)] + k - 1;
 }
 
-int Lattice::nodeAt(int column, int row, int a, int b) const {
-    if (uniform_) return corner(column + a, row + b);
+int Lattice::nodeOfDivided(int column, int row, int a, int b) const {
     const int u = divisionOf(column, row);
     if (b == 0 || b == u) {
         const int line = row + (b == u);

@@ -52,7 +52,9 @@ public:
     [[nodiscard]] bool isUniform() const { return uniform_; } ///< no main cell is divided
     [[nodiscard]] int nodeCount() const { return nodeCount_; }
     /// Node (a, b) of the u × u division of a main cell, 0 ≤ a, b ≤ u.
-    [[nodiscard]] int nodeAt(int column, int row, int a, int b) const;
+    [[nodiscard]] int nodeAt(int column, int row, int a, int b) const {
+        return uniform_ ? corner(column + a, row + b) : nodeOfDivided(column, row, a, b);
+    }
     /// u of the horizontal main side below (vertical: left of) main cell (column, row).
     [[nodiscard]] int horizontalDivision(int column, int row) const;
     [[nodiscard]] int verticalDivision(int column, int row) const;
@@ -63,12 +65,17 @@ public:
     [[nodiscard]] int firstCell(int column, int row) const { return firstCell_[size(cell(column, row))]; }
     [[nodiscard]] int cellCount() const { return cellCount_; }
     [[nodiscard]] int divisionOf(int column, int row) const { return division[size(cell(column, row))]; }
-    [[nodiscard]] int activeDivision(int column, int row) const; ///< 0 where nothing is to be meshed
+    [[nodiscard]] int activeDivision(int column, int row) const { ///< 0 where nothing is to be meshed
+        if (!holds(column, row)) return 0;
+        const std::size_t c = size(cell(column, row));
+        return active[c] ? division[c] : 0;
+    }
 
 private:
     static std::size_t size(int i) { return static_cast<std::size_t>(i); }
     static int intervalOf(const std::vector<double>& lines, double value);
     static double between(const std::vector<double>& lines, int interval, int part, int parts);
+    [[nodiscard]] int nodeOfDivided(int column, int row, int a, int b) const;
     [[nodiscard]] int corner(int column, int row) const { return row * (columns() + 1) + column; }
 
     std::vector<double> x_, y_;
