@@ -27,7 +27,6 @@ BlouseSettings closeFit() {
     settings.block.bustEase = 0.09;
     settings.block.hipEase = 0.06;
     settings.block.armholeDepth = 0.20;
-    settings.block.neckGap = 0.015;
     settings.frontWaistDart.intake = 0.016;
     return settings;
 }
