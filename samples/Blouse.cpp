@@ -130,6 +130,10 @@ std::vector<Seam> sewHalf(const std::string& side, const Piece& front, const Hal
 
 } // namespace
 
+body::Measurements blouseWearer() {
+    return {.bust = 0.94, .underBust = 0.81, .waist = 0.76, .hip = 1.03, .biceps = 0.29, .thigh = 0.59};
+}
+
 document::Document blouse(const body::Measurements& m, const body::Body& body, const BlouseSettings& s) {
     const Fabric fabric = material::poplin();
     const SleeveSettings sleeveDraft = sleeveSettings(m, s);
@@ -160,7 +164,7 @@ document::Document blouse(const body::Measurements& m, const body::Body& body, c
     for (const std::string side : {"left", "right"})
         pattern.seams.push_back(waistDartSeam("back waist dart " + side, torso.back, "-" + side));
     document.scene.skinOffset = 0.0035; // elbows of real arms are sharper than the mannequin's
-    document.avatarFile = "bodies/mannequin.glb";
+    document.avatarFile = "bodies/mannequin-42.glb";
     return document;
 }
 

@@ -14,13 +14,16 @@ struct WaistDart {
     double above = 0, below = 0; ///< from the waist to its tips
 };
 
-/// A woman's easy blouse of poplin: two fronts with a bust dart and a waist dart each, sewn shut down the centre, a
-/// back with two waist darts and four regions, seven-eighths sleeves with cuffs, a round neckline, the hem below the
-/// hip. Lengths [m].
+/// Whom the sample blouse is drafted for: fuller than the usual mannequin, a woman of size EU 42–44.
+[[nodiscard]] body::Measurements blouseWearer();
+
+/// A woman's blouse of poplin: two fronts with a bust dart and a waist dart each, sewn shut down the centre, a back
+/// with two waist darts and four regions, seven-eighths sleeves with cuffs, a round neckline, the hem below the hip.
+/// Lengths [m].
 struct BlouseSettings {
     double spacing = 0.02; ///< ε_m of every piece
-    UpperBlockSettings block{.bustEase = 0.12,
-                             .hipEase = 0.12,
+    UpperBlockSettings block{.bustEase = 0.09,
+                             .hipEase = 0.06,
                              .waistSuppression = 0.012,
                              .armholeDepth = 0.21,
                              .backShortening = 0.006,
@@ -29,7 +32,7 @@ struct BlouseSettings {
                              .dartIntake = 0.028};
     WaistDart frontWaistDart{.fromCentre = 0.095, .intake = 0.024, .above = 0.13, .below = 0.09};
     WaistDart backWaistDart{.fromCentre = 0.082, .intake = 0.038, .above = 0.145, .below = 0.10};
-    double bicepsEase = 0.07;
+    double bicepsEase = 0.06;
     double bicepsBelow = 0.10; ///< where the arm's girth is taken, beneath the cap's base
     double cuffEase = 0.10;    ///< cuff longer than the wrist: half of it is what the forearm is thicker where it lies
     double aboveWrist = 0.13;  ///< where the cuff ends

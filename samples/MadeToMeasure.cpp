@@ -22,11 +22,10 @@ pattern::Pattern rolledRoundTheArms(pattern::Pattern pattern, const body::Body& 
 
 } // namespace
 
-BlouseSettings closeFit() {
+BlouseSettings longSleeved() {
     BlouseSettings settings{.aboveWrist = 0};
-    settings.block.bustEase = 0.09;
-    settings.block.hipEase = 0.06;
     settings.block.armholeDepth = 0.20;
+    settings.bicepsEase = 0.07; // to be drawn up over the bend
     settings.frontWaistDart.intake = 0.016;
     return settings;
 }

@@ -5,12 +5,12 @@
 
 namespace toile::samples {
 
-/// Closer round bust and hip than the sample, with sleeves as long as the arm.
-[[nodiscard]] BlouseSettings closeFit();
+/// With sleeves as long as the arm, which may be bent.
+[[nodiscard]] BlouseSettings longSleeved();
 
 /// The blouse for a body that is not the mannequin: measured with the tape, drafted, its sleeves and cuffs rolled round
 /// arms that may be bent.
 [[nodiscard]] Result<document::Document> blouseMadeToMeasure(const body::Body& body,
-                                                             const BlouseSettings& settings = closeFit());
+                                                             const BlouseSettings& settings = longSleeved());
 
 } // namespace toile::samples

@@ -10,11 +10,19 @@
 
 namespace toile::samples {
 
-std::vector<NamedDocument> sampleDocuments(const body::Mannequin& mannequin) {
-    const body::Measurements& m = mannequin.measurements;
-    const body::Body& body = mannequin.body;
+Result<Wearers> sampleWearers() {
+    auto usual = body::makeMannequin({});
+    if (!usual) return tl::unexpected(usual.error());
+    auto fuller = body::makeMannequin(blouseWearer());
+    if (!fuller) return tl::unexpected(fuller.error());
+    return Wearers{std::move(*usual), std::move(*fuller)};
+}
+
+std::vector<NamedDocument> sampleDocuments(const Wearers& wearers) {
+    const body::Measurements& m = wearers.usual.measurements;
+    const body::Body& body = wearers.usual.body;
     std::vector<NamedDocument> samples{
-        {"blouse", blouse(m, body)},
+        {"blouse", blouse(wearers.fuller.measurements, wearers.fuller.body)},
         {"t-shirt", tShirt(m, body)},
         {"circle-skirt", circleSkirt(m, body)},
         {"trousers", trousers(m, body)},
@@ -28,9 +36,10 @@ std::vector<NamedDocument> sampleDocuments(const body::Mannequin& mannequin) {
     return samples;
 }
 
-std::vector<NamedBody> sampleBodies(const body::Mannequin& mannequin) {
+std::vector<NamedBody> sampleBodies(const Wearers& wearers) {
     return {
-        {"mannequin", mannequin.body},
+        {"mannequin", wearers.usual.body},
+        {"mannequin-42", wearers.fuller.body},
         {"table", {"table", tableMesh(), {}, {}}},
         {"cylinder", {"cylinder", cylinderMesh(), {}, {}}},
     };

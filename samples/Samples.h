@@ -21,9 +21,16 @@ struct NamedBody {
     body::Body body;
 };
 
-/// Every sample of ours, drafted for the mannequin.
-[[nodiscard]] std::vector<NamedDocument> sampleDocuments(const body::Mannequin& mannequin);
-/// The bodies the documents name: mannequin, table, cylinder.
-[[nodiscard]] std::vector<NamedBody> sampleBodies(const body::Mannequin& mannequin);
+/// Whom the samples are drafted for.
+struct Wearers {
+    body::Mannequin usual;
+    body::Mannequin fuller; ///< wears the blouse
+};
+[[nodiscard]] Result<Wearers> sampleWearers();
+
+/// Every sample of ours.
+[[nodiscard]] std::vector<NamedDocument> sampleDocuments(const Wearers& wearers);
+/// The bodies the documents name: mannequins, table, cylinder.
+[[nodiscard]] std::vector<NamedBody> sampleBodies(const Wearers& wearers);
 
 } // namespace toile::samples

@@ -38,16 +38,16 @@ int main(int count, char** arguments) {
         return 2;
     }
     const std::filesystem::path folder = arguments[1];
-    const auto mannequin = body::makeMannequin({});
-    if (!mannequin) return failed(mannequin.error());
+    const auto wearers = samples::sampleWearers();
+    if (!wearers) return failed(wearers.error());
 
     std::error_code created;
     std::filesystem::create_directories(folder / "bodies", created);
-    for (const samples::NamedDocument& sample : samples::sampleDocuments(*mannequin))
+    for (const samples::NamedDocument& sample : samples::sampleDocuments(*wearers))
         if (const auto written = io::writeToile(sample.document, (folder / (sample.name + ".toile")).string());
             !written)
             return failed(written.error());
-    for (const samples::NamedBody& sample : samples::sampleBodies(*mannequin))
+    for (const samples::NamedBody& sample : samples::sampleBodies(*wearers))
         if (const auto written = io::writeBody(folder / "bodies" / (sample.name + ".glb"), sample.body); !written)
             return failed(written.error());
     return 0;

@@ -21,13 +21,17 @@ constexpr double micrometre = 1e-6; // widths are measured on flattened curves
 constexpr double degree = 0.017453292519943295;
 
 /// Drafted once for all tests: finding the body takes a second.
+const Wearers& wearers() {
+    static const Wearers made = *sampleWearers();
+    return made;
+}
+
 const body::Mannequin& woman() {
-    static const body::Mannequin mannequin = *body::makeMannequin({});
-    return mannequin;
+    return wearers().usual;
 }
 
 const std::vector<NamedDocument>& samplesOfOurs() {
-    static const std::vector<NamedDocument> samples = sampleDocuments(woman());
+    static const std::vector<NamedDocument> samples = sampleDocuments(wearers());
     return samples;
 }
 

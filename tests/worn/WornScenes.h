@@ -16,8 +16,18 @@ inline const body::Mannequin& mannequin() {
     return made;
 }
 
+/// The one the blouse is drafted for.
+inline const body::Mannequin& blouseWearer() {
+    static const body::Mannequin made = *body::makeMannequin(samples::blouseWearer());
+    return made;
+}
+
 inline pattern::Pattern blouseAt(double spacing) {
-    return samples::blouse(mannequin().measurements, mannequin().body, {.spacing = spacing}).pattern;
+    return samples::blouse(blouseWearer().measurements, blouseWearer().body, {.spacing = spacing}).pattern;
+}
+
+inline Scene onBlouseWearer(pattern::Pattern pattern) {
+    return {std::move(pattern), Shared<body::Body>(blouseWearer().body), {}};
 }
 
 inline Scene onMannequin(pattern::Pattern pattern) {

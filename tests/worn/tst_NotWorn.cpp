@@ -16,7 +16,7 @@ constexpr double dressed = 3.5;  // [s]; sewing takes two, then weight and frict
 
 /// Without a fault: at the spacing of the sample, at which every seam closes.
 const SewReport& correctBlouse() {
-    static const SewReport report = sewnFor(4.5, onMannequin(blouseAt(0.020)));
+    static const SewReport report = sewnFor(4.5, onBlouseWearer(blouseAt(0.020)));
     return report;
 }
 
@@ -98,7 +98,7 @@ void tst_NotWorn::aSeamReversed() {
     QFETCH(QString, seam);
     const auto reversed = pattern::reverseSeam(blouseAt(coarse), pattern::SeamId(seam.toStdString()));
     QVERIFY(reversed);
-    const SewReport report = sewnFor(dressed, onMannequin(*reversed));
+    const SewReport report = sewnFor(dressed, onBlouseWearer(*reversed));
     QVERIFY(!report.worn->worn);
     QVERIFY2(says(report, "Right side is sewn to wrong side"), reasonsOf(report).c_str());
 }
@@ -106,7 +106,7 @@ void tst_NotWorn::aSeamReversed() {
 /// No armhole reaches the sleeve of the other arm. What is torn to and fro between them is chance, but it never leaves
 /// the four openings of a blouse.
 void tst_NotWorn::sleevesSwapped() {
-    const SewReport report = sewnFor(2.5, onMannequin(withSleevesSwapped(blouseAt(0.040))));
+    const SewReport report = sewnFor(2.5, onBlouseWearer(withSleevesSwapped(blouseAt(0.040))));
     QVERIFY(!report.worn->worn);
     QVERIFY2(says(report, "Not every seam is closed."), reasonsOf(report).c_str());
     QVERIFY(openingsOf(report) != openingsOf(correctBlouse()));
@@ -116,13 +116,13 @@ void tst_NotWorn::sleevesSwapped() {
 void tst_NotWorn::aPieceInsideOut() {
     const auto turned = withPieceTurned(blouseAt(coarse), pattern::PieceId("back"));
     QVERIFY(turned);
-    const SewReport report = sewnFor(dressed, onMannequin(*turned));
+    const SewReport report = sewnFor(dressed, onBlouseWearer(*turned));
     QVERIFY(!report.worn->worn);
     QVERIFY2(says(report, "of the cloth has its right side out."), reasonsOf(report).c_str());
 }
 
 void tst_NotWorn::withoutGravity() {
-    Scene scene = onMannequin(blouseAt(coarse));
+    Scene scene = onBlouseWearer(blouseAt(coarse));
     scene.settings.gravity = {};
     const SewReport report = sewnFor(dressed, scene);
     QVERIFY(!report.worn->worn);
