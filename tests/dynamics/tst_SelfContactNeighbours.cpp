@@ -61,13 +61,7 @@ std::size_t pairsWhenOneFalls(const Cloth& cloth, double way) {
 
 /// A sheet over a pinned one, falling.
 Cloth fallingSheet(double speed) {
-    Cloth cloth;
-    append(cloth, 0.2, 20, 0.2, 20, 0.3, [](const Vec2& m) { return Vec3{m.x - 0.1, 0, 0.1 - m.y}; });
-    pin(cloth, 0, cloth.model.particleCount());
-    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) {
-        const Vec2 p = geometry::rotated(m - Vec2{0.05, 0.05}, 0.3);
-        return Vec3{p.x, 0.01 + 0.02 * p.x * p.x, -p.y};
-    });
+    Cloth cloth = sheetOverPinnedSheet(20, 10, 0.01);
     for (std::size_t p = cloth.model.pinned.size(); p < cloth.state.positions.size(); ++p)
         cloth.state.velocities[p] = {0.1 * speed, -speed, 0};
     return cloth;

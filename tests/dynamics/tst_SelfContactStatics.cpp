@@ -126,13 +126,7 @@ void tst_SelfContactStatics::theEnergyIsInfiniteWhereLayersWouldCross() {
 }
 
 void tst_SelfContactStatics::aSheetComesToRestOnAnother() {
-    Cloth cloth;
-    append(cloth, 0.2, 10, 0.2, 10, 0.3, [](const Vec2& m) { return Vec3{m.x - 0.1, 0, 0.1 - m.y}; });
-    pin(cloth, 0, cloth.model.particleCount());
-    append(cloth, 0.1, 8, 0.1, 8, 0.3, [](const Vec2& m) {
-        const Vec2 p = geometry::rotated(m - Vec2{0.05, 0.05}, 0.3);
-        return Vec3{p.x, 0.0006 + 0.02 * p.x * p.x, -p.y};
-    });
+    Cloth cloth = sheetOverPinnedSheet(10, 8, 0.0006);
     SelfContact contact(cloth.model, cloth.surface);
     dynamics::Stage* stages[]{&contact};
     const auto rest = dynamics::solveStatic(cloth.model, cloth.state, {0, -9.81, 0}, stages);
