@@ -3,6 +3,7 @@
 
 #include "core/body/Mannequin.h"
 #include "core/pattern/Pattern.h"
+#include "core/study/Storage.h"
 
 #include <optional>
 #include <stop_token>
@@ -64,6 +65,14 @@ struct StudyOptions {
 [[nodiscard]] int studyAccuracy(const StudyOptions& options, std::stop_token stop);
 /// A document's regions against uniform meshes.
 [[nodiscard]] int studyRegions(const StudyOptions& options, std::stop_token stop);
+
+struct StorageOptions {
+    std::string file;
+    std::vector<study::FineBox> fine; ///< instead of the document's regions; empty = those
+    std::string out;                  ///< folder of the report
+};
+/// What a document's regions save: nodes, elements and bytes against uniform meshes.
+[[nodiscard]] int studyStorage(const StorageOptions& options);
 
 struct InspectOptions {
     std::string file;

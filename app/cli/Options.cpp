@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/Options.h"
 
+#include <cstdio>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -13,6 +14,7 @@ using batch::ConvertOptions;
 using batch::InspectOptions;
 using batch::MeshOptions;
 using batch::SewOptions;
+using batch::StorageOptions;
 using batch::StudyOptions;
 
 constexpr double millimetre = 0.001;
@@ -160,6 +162,39 @@ void declareConvert(CLI::App& app, std::function<int()>& chosen) {
     command->callback([options, &chosen] { chosen = [options] { return batch::convert(*options); }; });
 }
 
+/// PIECE=LEFT,BOTTOM,RIGHT,TOP with parts of the piece's extent.
+std::optional<study::FineBox> fineBoxOf(const std::string& text) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string::npos || equals == 0) return std::nullopt;
+    study::FineBox box{.piece = text.substr(0, equals)};
+    int read = 0;
+    const std::string numbers = text.substr(equals + 1);
+    if (std::sscanf(numbers.c_str(), "%lf,%lf,%lf,%lf%n", &box.left, &box.bottom, &box.right, &box.top, &read) != 4 ||
+        read != static_cast<int>(numbers.size()))
+        return std::nullopt;
+    return box;
+}
+
+void declareStorage(CLI::App& study, std::function<int()>& chosen) {
+    auto* storage = study.add_subcommand("storage", "nodes, elements and bytes of a document's regions");
+    auto options = std::make_shared<StorageOptions>();
+    storage->add_option("FILE", options->file, "a document")->required();
+    storage
+        ->add_option_function<std::vector<std::string>>(
+            "--fine",
+            [options](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) options->fine.push_back(*fineBoxOf(text));
+            },
+            "PIECE=LEFT,BOTTOM,RIGHT,TOP: a part of its extent (0 to 1) at half its spacing, instead of the "
+            "document's regions; may be given again")
+        ->allow_extra_args(false)
+        ->check([](const std::string& text) {
+            return fineBoxOf(text) ? "" : "PIECE=LEFT,BOTTOM,RIGHT,TOP with four numbers is wanted";
+        });
+    storage->add_option("--out", options->out, "folder of report.md and results.jsonl")->required();
+    storage->callback([options, &chosen] { chosen = [options] { return batch::studyStorage(*options); }; });
+}
+
 void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
     auto* study = app.add_subcommand("study", "measure how wrong results are, and what they cost");
     study->require_subcommand(1);
@@ -180,6 +215,7 @@ void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& cho
     regions->add_flag("--quiet", options->quiet, "no progress");
     regions->callback(
         [options, stop, &chosen] { chosen = [options, stop] { return batch::studyRegions(*options, stop); }; });
+    declareStorage(*study, chosen);
 }
 
 } // namespace

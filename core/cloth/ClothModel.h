@@ -84,4 +84,7 @@ struct ClothModel {
     [[nodiscard]] int particleCount() const { return static_cast<int>(mass.size()); }
 };
 
+/// What the arrays of a cloth hold [B].
+[[nodiscard]] std::size_t bytesOf(const ClothModel& model);
+
 } // namespace toile::cloth

@@ -157,6 +157,10 @@ PieceReport countsOf(const PieceMesh& mesh) {
     report.rectangleFraction = elements > 0 ? static_cast<double>(report.rectangles) / elements : 0;
     report.bytes = mesh.nodes.size() * 2 * sizeof(Vec2) + mesh.rectangles.size() * sizeof(Rectangle) +
                    mesh.triangles.size() * sizeof(Triangle) + mesh.display.size() * sizeof(std::array<int, 3>);
+    for (const SlaveNode& slave : mesh.slaves)
+        report.bytes += sizeof(SlaveNode) + slave.masters.size() * sizeof(slave.masters[0]);
+    for (const auto& loop : mesh.loops)
+        for (const EdgeNodes& edge : loop) report.bytes += sizeof(EdgeNodes) + edge.size() * sizeof(EdgeNode);
     return report;
 }
 

@@ -33,7 +33,7 @@ int draftBlouse(const std::string& bodyFile, const std::string& out) {
 
 int main(int count, char** arguments) {
     if (count == 4 && std::string_view(arguments[1]) == "blouse") return draftBlouse(arguments[2], arguments[3]);
-    if (count != 2) {
+    if (count != 2 || arguments[1][0] == '-') { // no folder called "--help"
         fmt::print(stderr, "usage: toile-make-samples FOLDER | blouse BODY OUT.toile\n");
         return 2;
     }

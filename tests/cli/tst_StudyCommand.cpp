@@ -9,6 +9,8 @@ private slots:
     void aStudyLeavesItsReport();
     void aSceneThatIsNotThereIsSaid();
     void aDocumentWithoutRegionsIsSaid();
+    void storageIsPrintedAndWritten();
+    void aBoxThatIsNoneIsSaid();
 };
 
 void tst_StudyCommand::aStudyLeavesItsReport() {
@@ -42,6 +44,29 @@ void tst_StudyCommand::aDocumentWithoutRegionsIsSaid() {
     QCOMPARE(finished.status, 1);
     QVERIFY(finished.err.contains("sheet-one-edge.toile: The pattern has no region that is finer than its piece"));
     QCOMPARE(finished.errorLines().size(), 1);
+}
+
+void tst_StudyCommand::storageIsPrintedAndWritten() {
+    const QTemporaryDir folder;
+    const Finished finished = run({"study", "storage", sample("circle-skirt.toile"), "--fine", "Skirt left=0,0,1,0.3",
+                                   "--fine", "Skirt left=0,0.7,1,1", "--out", folder.filePath("storage")});
+    QCOMPARE(finished.err, QString());
+    QCOMPARE(finished.status, 0);
+    QVERIFY(finished.out.contains("--fine \"Skirt left=0,0,1,0.3\" --fine \"Skirt left=0,0.7,1,1\""));
+    QCOMPARE(QString::fromUtf8(contentOf(folder.filePath("storage/report.md"))), finished.out);
+    const Json json = jsonOf(contentOf(folder.filePath("storage/results.jsonl")));
+    QCOMPARE(json.find("layouts")->asArray()->size(), std::size_t(3));
+    QVERIFY(missingKeys(json, {"layouts", "fineShare", "idealShare"}).isEmpty());
+}
+
+void tst_StudyCommand::aBoxThatIsNoneIsSaid() {
+    const QTemporaryDir folder;
+    const QString file = sample("circle-skirt.toile");
+    QCOMPARE(run({"study", "storage", file, "--fine", "Skirt left", "--out", folder.path()}).status, 2);
+    QCOMPARE(run({"study", "storage", file, "--fine", "Skirt left=0,0,1", "--out", folder.path()}).status, 2);
+    const Finished finished = run({"study", "storage", file, "--fine", "Hem=0,0,1,1", "--out", folder.path()});
+    QCOMPARE(finished.status, 1);
+    QVERIFY(finished.err.contains("There is no piece \"Hem\"."));
 }
 
 QTEST_APPLESS_MAIN(tst_StudyCommand)

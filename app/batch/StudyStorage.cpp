@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/Commands.h"
+#include "app/batch/Console.h"
+#include "core/base/AtomicFile.h"
+#include "core/io/DocumentFile.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace toile::batch {
+namespace {
+
+std::string commandOf(const StorageOptions& options) {
+    std::string command = "toile-cli study storage " + options.file;
+    for (const study::FineBox& box : options.fine)
+        command += fmt::format(" --fine \"{}={},{},{},{}\"", box.piece, box.left, box.bottom, box.right, box.top);
+    return command + " --out " + options.out;
+}
+
+Result<void> run(const StorageOptions& options) {
+    namespace fs = std::filesystem;
+    const auto opened = io::readDocument(options.file);
+    if (!opened) return tl::unexpected(opened.error());
+    Result<pattern::Pattern> pattern = opened->document.pattern;
+    if (!options.fine.empty()) pattern = study::withFineBoxes(*pattern, options.fine);
+    if (!pattern) return tl::unexpected(pattern.error());
+    const auto study = study::studyStorage(*pattern);
+    if (!study) return tl::unexpected(study.error());
+    std::error_code failed;
+    fs::create_directories(options.out, failed);
+    if (failed)
+        return fail(ErrorCode::io, fmt::format("This folder cannot be made: {}.", failed.message()), {options.out});
+    const fs::path folder(options.out);
+    const std::string text = study::storageText(*study, options.file, commandOf(options));
+    if (auto written = writeFileAtomically(folder / "report.md", text); !written) return written;
+    if (auto written = writeFileAtomically(folder / "results.jsonl", toLine(study::toJson(*study)) + '\n'); !written)
+        return written;
+    fmt::print("{}", text);
+    return {};
+}
+
+} // namespace
+
+int studyStorage(const StorageOptions& options) {
+    const auto finished = run(options);
+    if (finished) return done;
+    Error error = finished.error();
+    if (error.place.file.empty()) error.place.file = options.file;
+    printError(error);
+    return inputWrong;
+}
+
+} // namespace toile::batch
