@@ -107,7 +107,8 @@ double shareOfFineCells(const Pattern& pattern, const meshing::GarmentMesh& mesh
         const Piece piece = pattern::resolved(pattern, *pattern.pieces[p]);
         const auto add = [&](const auto& cell) {
             std::vector<Vec2> corners;
-            for (const int node : cell.nodes) corners.push_back(mesh.pieces[p].material[static_cast<std::size_t>(node)]);
+            for (const int node : cell.nodes)
+                corners.push_back(mesh.pieces[p].material[static_cast<std::size_t>(node)]);
             const double area = std::abs(geometry::signedArea(corners));
             all += area;
             if (cell.region >= 0 && piece.regions[static_cast<std::size_t>(cell.region)].refinement > 0) fine += area;
@@ -152,8 +153,8 @@ Result<Pattern> withFineBoxes(const Pattern& pattern, const std::vector<FineBox>
                                     piece.mirror->source.value),
                         place);
         if (!(box.left < box.right && box.bottom < box.top))
-            return fail(ErrorCode::invalidInput, "A box runs from its left to its right and from its bottom to its top.",
-                        place);
+            return fail(ErrorCode::invalidInput,
+                        "A box runs from its left to its right and from its bottom to its top.", place);
         piece.regions.push_back(regionOf(box, piece, ++number));
         *found = Shared<Piece>(std::move(piece));
     }

@@ -18,17 +18,18 @@ struct FineBox {
 
 /// The pattern with these boxes for regions instead of its own. Where a box reaches an end of the piece it covers the
 /// border there. Errors: a piece that is not there, or takes its regions from the one it mirrors; a box without area.
-[[nodiscard]] Result<pattern::Pattern> withFineBoxes(const pattern::Pattern& pattern, const std::vector<FineBox>& boxes);
+[[nodiscard]] Result<pattern::Pattern> withFineBoxes(const pattern::Pattern& pattern,
+                                                     const std::vector<FineBox>& boxes);
 
 /// A garment meshed in one way, and its cloth before any seam is merged.
 struct StorageLayout {
     std::string name;
-    double spacing = 0;           ///< the least of it [m]
-    int nodes = 0, slaves = 0;    ///< slaves are nodes too
-    int cells = 0;                ///< rectangles, pairs of triangles and single triangles
-    int springs = 0;              ///< structural and shear
-    int bending = 0;              ///< three-point elements, twist and flat hinges
-    int membranes = 0;            ///< membrane triangles and cells
+    double spacing = 0;        ///< the least of it [m]
+    int nodes = 0, slaves = 0; ///< slaves are nodes too
+    int cells = 0;             ///< rectangles, pairs of triangles and single triangles
+    int springs = 0;           ///< structural and shear
+    int bending = 0;           ///< three-point elements, twist and flat hinges
+    int membranes = 0;         ///< membrane triangles and cells
     std::size_t meshBytes = 0, clothBytes = 0;
 };
 

@@ -47,8 +47,8 @@ void tst_Storage::theMiddleOfASheetAtHalfItsSpacing() {
 
 void tst_Storage::aClothTakesLessThan400BytesACell() {
     // The goal of meshing.md, for rectangles with springs, bending and twist, and a mesh for display.
-    const auto painted = study::withFineBoxes(
-        samples::squareSheet(samples::SheetPins::oneEdge, 1.0, 0.01).pattern, {middle});
+    const auto painted =
+        study::withFineBoxes(samples::squareSheet(samples::SheetPins::oneEdge, 1.0, 0.01).pattern, {middle});
     QVERIFY(painted);
     const auto study = study::studyStorage(*painted);
     QVERIFY(study);
@@ -81,8 +81,8 @@ void tst_Storage::theTextSaysWhatWasMeasured() {
     const auto study = study::studyStorage(*study::withFineBoxes(sheet(), {middle}));
     QVERIFY(study);
     const std::string text = study::storageText(*study, "sheet.toile", "toile-cli study storage sheet.toile");
-    for (const char* words : {"# Storage: sheet.toile", "`toile-cli study storage sheet.toile`", "| regions | 20 | 241 | 24 | 208 |",
-                              "36 % of the area is finer", "0.55 times the nodes"})
+    for (const char* words : {"# Storage: sheet.toile", "`toile-cli study storage sheet.toile`",
+                              "| regions | 20 | 241 | 24 | 208 |", "36 % of the area is finer", "0.55 times the nodes"})
         QVERIFY2(text.find(words) != std::string::npos, (std::string(words) + " is not in\n" + text).c_str());
 }
 
