@@ -14,8 +14,10 @@ std::size_t at(int i) {
 /// times those it began with.
 constexpr std::size_t mostBorderNodes = 100000, mostTimesNodes = 16;
 
-/// Doubles each stretch once, however many of its segments are too coarse.
-void refineOnce(const std::vector<BoundarySpot>& spots, int piece, BoundaryDivision& division) {
+/// Doubles each stretch once, however many of its segments are too coarse. False where parts are shorter than the
+/// integer grid's unit: more of them make no more nodes.
+bool refineOnce(const std::vector<BoundarySpot>& spots, int piece, const PieceBoundary& boundary,
+                BoundaryDivision& division) {
     std::vector<int> done;
     for (const BoundarySpot& spot : spots) {
         division.takeEveryVertex(piece, spot.loop);
@@ -23,9 +25,12 @@ void refineOnce(const std::vector<BoundarySpot>& spots, int piece, BoundaryDivis
             if (spot.fraction < stretch.from || spot.fraction > stretch.to) continue;
             if (std::find(done.begin(), done.end(), stretch.group) != done.end()) continue;
             done.push_back(stretch.group);
+            const double length = boundary.loops[at(spot.loop)].edges[at(spot.edge)].length;
+            if (length * (stretch.to - stretch.from) < division.count(stretch) * boundary.frame.unit) return false;
             division.refine(stretch.group);
         }
     }
+    return true;
 }
 
 /// Refuses nodes so near one another that the integer grid could not tell a straight line from a bent one.
@@ -70,11 +75,11 @@ Result<DividedBorders> dividedBorders(const MeshInput& input, const std::vector<
             const std::vector<BoundarySpot> spots = spotsTooCoarse(nodes);
             if (spots.empty()) continue;
             coarse = true;
-            if (nodes.points.size() > std::max(mostBorderNodes, mostTimesNodes * firstCounts[p]))
+            if (nodes.points.size() > std::max(mostBorderNodes, mostTimesNodes * firstCounts[p]) ||
+                !refineOnce(spots, static_cast<int>(p), boundaries[p], borders.division))
                 return fail(ErrorCode::invalidInput,
                             "Two parts of the border run too near one another to be divided into nodes.",
                             {.object = nameOf(input.pieces[p], spots.front().loop, spots.front().edge)});
-            refineOnce(spots, static_cast<int>(p), borders.division);
         }
         if (!coarse) return borders;
     }

@@ -82,7 +82,8 @@ struct PlaneMap {
     [[nodiscard]] Vec3 operator()(Vec2 m) const { return {xx * m.x + xy * m.y, yx * m.x + yy * m.y, 0}; }
 };
 
-/// Largest force on an inner node that is no slave, over E·h: E the fabric's stiffness along warp, h the finest spacing.
+/// Largest force on an inner node that is no slave, over E·h: E the fabric's stiffness along warp, h the finest
+/// spacing.
 double largestForce(const Garment& garment, const PlaneMap& map, double finest) {
     std::vector<Vec3> positions, forces;
     for (const Vec2 m : materialOf(garment)) positions.push_back(map(m));
@@ -255,7 +256,8 @@ void tst_RegionJoints::aRolledSheetIsRoundAcrossItsJoints() {
     const std::vector<Vec2> material = materialOf(garment);
     dynamics::ParticleState state;
     for (int p = 0; p < static_cast<int>(material.size()); ++p) {
-        const double along = axis == 0 ? material[p].x : material[p].y, across = axis == 0 ? material[p].y : material[p].x;
+        const double along = axis == 0 ? material[p].x : material[p].y,
+                     across = axis == 0 ? material[p].y : material[p].x;
         state.positions.push_back({radius * std::sin(along / radius), across, radius * std::cos(along / radius)});
         // Two rows at either end keep place and direction.
         if (along < 1.5 * cell || along > side - 1.5 * cell) garment.model.pinned.push_back(p);
