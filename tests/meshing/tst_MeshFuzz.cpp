@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include <csignal>
+#include <sys/resource.h>
 #include <unistd.h>
 
 using namespace toile;
@@ -107,6 +108,10 @@ QString corpusFolder() {
 } // namespace
 
 void tst_MeshFuzz::initTestCase() {
+#ifndef __SANITIZE_ADDRESS__                 // whose shadow is terabytes of addresses
+    const rlimit most{4ul << 30, 4ul << 30}; // an input that takes all memory ends this program, not the machine
+    QCOMPARE(setrlimit(RLIMIT_AS, &most), 0);
+#endif
     for (const int signal : {SIGABRT, SIGSEGV, SIGFPE}) std::signal(signal, nameTheSeed);
 }
 
