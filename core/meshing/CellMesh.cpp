@@ -163,21 +163,25 @@ private:
             for (std::size_t i = 0; i < ring.size(); ++i) {
                 const int a = ring[i], b = ring[(i + 1) % ring.size()];
                 after[at(a)] = b;
-                if (!isSide(a, b)) layer_.walls.push_back({a, b, true});
+                if (!isSide(a, b)) layer_.walls.push_back({a, b});
             }
         for (const HalfEdge& edge : open_) {
             const int from = edge.rising ? edge.low : edge.high, to = edge.rising ? edge.high : edge.low;
             if (isSide(to, from)) continue;
             if (from < boundaryCount && after[at(from)] == to) continue;
-            layer_.walls.push_back({to, from, true});
+            layer_.walls.push_back({to, from});
         }
     }
 
     void listStripNodes() {
         std::vector<char> enclosed = layer_.held; // of cells and of no wall: nothing to do there
-        for (const Constraint& wall : layer_.walls) enclosed[at(wall.from)] = enclosed[at(wall.to)] = 0;
-        for (std::size_t node = 0; node < enclosed.size(); ++node)
-            if (!enclosed[node]) layer_.stripNodes.push_back(static_cast<int>(node));
+        for (const Wall& wall : layer_.walls) enclosed[at(wall.from)] = enclosed[at(wall.to)] = 0;
+        layer_.stripIndex.resize(enclosed.size());
+        for (std::size_t node = 0; node < enclosed.size(); ++node) {
+            if (enclosed[node]) continue;
+            layer_.stripIndex[node] = static_cast<int>(layer_.stripNodes.size());
+            layer_.stripNodes.push_back(static_cast<int>(node));
+        }
     }
 
     const BoundaryNodes& boundary_;
@@ -216,27 +220,26 @@ CellMesh cellMesh(const PieceFrame& frame, const BoundaryNodes& boundary, const 
 }
 
 void triangulateStrip(const Lattice& lattice, CellMesh& mesh) {
-    const std::vector<int>& stripNodes = mesh.layer.stripNodes;
-    std::vector<GridPoint> points;
-    points.reserve(stripNodes.size());
-    for (const int node : stripNodes) points.push_back(mesh.grid[at(node)]);
-    const auto local = [&](int node) {
-        return static_cast<int>(std::lower_bound(stripNodes.begin(), stripNodes.end(), node) - stripNodes.begin());
-    };
-    std::vector<Constraint> walls;
-    walls.reserve(mesh.layer.walls.size());
-    for (const Constraint& wall : mesh.layer.walls) walls.push_back({local(wall.from), local(wall.to), wall.fillLeft});
-    std::vector<std::array<int, 3>> triangles = constrainedDelaunay(points, walls);
-    turnFlatTriangles(points, triangles);
+    const CellLayer& layer = mesh.layer;
+    Strip& strip = mesh.strip;
+    strip.points.clear();
+    for (const int node : layer.stripNodes) strip.points.push_back(mesh.grid[at(node)]);
+    strip.walls.clear();
+    for (const Wall& wall : layer.walls)
+        strip.walls.push_back({layer.stripIndex[at(wall.from)], layer.stripIndex[at(wall.to)]});
+    strip.sweep.run(strip.points, strip.walls, strip.sides);
+    strip.flips.run(strip.points, strip.sides);
+    turnFlatTriangles(strip.points, strip.sides);
     mesh.triangles.clear();
-    for (const auto& corners : triangles) {
+    for (int t = 0; t < strip.sides.triangles(); ++t) {
         Triangle triangle;
         Vec2 middle;
         for (std::size_t i = 0; i < 3; ++i) {
-            triangle.nodes[i] = stripNodes[at(corners[i])];
+            triangle.nodes[i] = layer.stripNodes[at(strip.sides.startOf(3 * t + static_cast<int>(i)))];
             middle += mesh.position[at(triangle.nodes[i])] / 3.0;
         }
-        triangle.region = lattice.region[at(lattice.cell(lattice.columnOf(middle.x), lattice.rowOf(middle.y)))];
+        if (lattice.hasRegions)
+            triangle.region = lattice.region[at(lattice.cell(lattice.columnOf(middle.x), lattice.rowOf(middle.y)))];
         mesh.triangles.push_back(triangle);
     }
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/meshing/ConstrainedDelaunay.h"
+#include "core/meshing/DelaunayFlips.h"
 #include "core/meshing/GarmentMesh.h"
 #include "core/meshing/GridFill.h"
+#include "core/meshing/StripSweep.h"
 
 #include <span>
 
@@ -24,9 +25,19 @@ using HangingNodes = std::array<std::vector<int>, 4>;
 struct CellLayer {
     std::vector<Cell> cells;
     std::vector<HangingNodes> hanging;
-    std::vector<Constraint> walls; ///< border of the strip; the strip on the left
-    std::vector<char> held;        ///< of each node: a corner of a cell, or on a side of one
-    std::vector<int> stripNodes;   ///< those not enclosed by cells, rising
+    std::vector<Wall> walls;     ///< border of the strip
+    std::vector<char> held;      ///< of each node: a corner of a cell, or on a side of one
+    std::vector<int> stripNodes; ///< those not enclosed by cells, rising
+    std::vector<int> stripIndex; ///< of each node of the strip, into stripNodes
+};
+
+/// The triangles of the strip over its own nodes, with the buffers that make them.
+struct Strip {
+    std::vector<GridPoint> points; ///< by stripIndex
+    TriangleSides sides;
+    std::vector<Wall> walls; ///< by stripIndex
+    StripSweep sweep;
+    DelaunayFlips flips;
 };
 
 /// A piece while it is meshed: nodes, cells, strip triangles; numbers are those of GridFill.
@@ -35,7 +46,8 @@ struct CellMesh {
     std::vector<GridPoint> grid;
     int boundaryCount = 0; ///< the first nodes are frozen
     CellLayer layer;
-    std::vector<Triangle> triangles;
+    Strip strip;
+    std::vector<Triangle> triangles; ///< of the strip, in its order
 };
 
 /// The nodes inside a side of a cell.

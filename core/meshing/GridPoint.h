@@ -23,15 +23,20 @@ constexpr std::int64_t orientation(GridPoint a, GridPoint b, GridPoint c) {
     return abx * acy - aby * acx;
 }
 
-/// d lies strictly inside the circle through the counter-clockwise a, b, c. Exact.
-constexpr bool inCircle(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
+/// 1 where d lies inside the circle through the counter-clockwise a, b, c, 0 on it, −1 outside. Exact.
+constexpr int circleSide(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
     const std::int64_t ax = std::int64_t{a.x} - d.x, ay = std::int64_t{a.y} - d.y;
     const std::int64_t bx = std::int64_t{b.x} - d.x, by = std::int64_t{b.y} - d.y;
     const std::int64_t cx = std::int64_t{c.x} - d.x, cy = std::int64_t{c.y} - d.y;
     const std::int64_t liftA = ax * ax + ay * ay, liftB = bx * bx + by * by, liftC = cx * cx + cy * cy;
-    return WideInt{liftA} * (bx * cy - by * cx) + WideInt{liftB} * (cx * ay - cy * ax) +
-               WideInt{liftC} * (ax * by - ay * bx) >
-           0;
+    const WideInt sum = WideInt{liftA} * (bx * cy - by * cx) + WideInt{liftB} * (cx * ay - cy * ax) +
+                        WideInt{liftC} * (ax * by - ay * bx);
+    return (sum > 0) - (sum < 0);
+}
+
+/// d lies strictly inside that circle.
+constexpr bool inCircle(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
+    return circleSide(a, b, c, d) > 0;
 }
 
 constexpr bool betweenInclusive(std::int32_t a, std::int32_t b, std::int32_t value) {

@@ -46,6 +46,7 @@ public:
     /// u of each main cell (a power of two), its region (−1 = main) and whether it meets the piece.
     std::vector<std::int32_t> division, region;
     std::vector<char> active;
+    bool hasRegions = false; ///< some main cell has one
 
     /// Numbers the nodes; call when `division` and `active` are final.
     void numberNodes();

@@ -159,6 +159,7 @@ Result<std::vector<RegionReport>> snapRegions(const PieceInput& piece, const Pie
                                                    millimetres(piece.spacing) + "."});
     }
     warnOfOverlaps(piece, regions, lattice, warnings);
+    lattice.hasRegions = true;
     for (std::size_t r = 0; r < regions.size(); ++r)
         for (std::size_t c = 0; c < lattice.division.size(); ++c) {
             if (!regions[r].cells[c]) continue;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 namespace toile::meshing {
@@ -13,20 +15,24 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
+/// Angles are compared by their cotangents, which fall as they grow and need no more than products: there is none
+/// greater than this.
+constexpr double flat = std::numeric_limits<double>::infinity();
+
 /// How good a strip is: first the number of triangles below the wanted angle, then the smallest angle.
 struct Grade {
     int bad = 0;
-    double smallest = std::numbers::pi;
+    double sharpest = -flat; ///< cotangent of the smallest angle
 
     [[nodiscard]] bool betterThan(const Grade& other) const {
-        return bad != other.bad ? bad < other.bad : smallest > other.smallest;
+        return bad != other.bad ? bad < other.bad : sharpest < other.sharpest;
     }
 };
 
-double angleAt(GridPoint corner, GridPoint a, GridPoint b) {
+double dotAt(GridPoint corner, GridPoint a, GridPoint b) {
     const double ax = static_cast<double>(a.x) - corner.x, ay = static_cast<double>(a.y) - corner.y;
     const double bx = static_cast<double>(b.x) - corner.x, by = static_cast<double>(b.y) - corner.y;
-    return std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+    return ax * bx + ay * by;
 }
 
 class Improver {
@@ -34,7 +40,7 @@ public:
     Improver(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice, GridFill& fill,
              CellMesh& mesh, const ImprovementSettings& settings)
         : frame_(frame), boundary_(boundary), lattice_(lattice), fill_(fill), mesh_(mesh), settings_(settings),
-          wanted_(settings.wantedAngle * std::numbers::pi / 180) {
+          wanted_(1 / std::tan(settings.wantedAngle * std::numbers::pi / 180)) {
         after_.assign(at(mesh.boundaryCount), -1);
         for (const auto& ring : boundary.rings)
             for (std::size_t i = 0; i < ring.size(); ++i) after_[at(ring[i])] = ring[(i + 1) % ring.size()];
@@ -66,17 +72,21 @@ private:
                after_[at(here)] == next && after_[at(before)] == here;
     }
 
-    /// Smallest angle of a triangle, the border's own corners left out.
-    [[nodiscard]] double freeAngle(const std::array<int, 3>& t) const {
-        double smallest = std::numbers::pi;
+    /// Cotangent of the smallest angle of a triangle, the border's own corners left out; infinite where it has no area
+    /// or is turned over.
+    [[nodiscard]] double sharpness(const std::array<int, 3>& t) const {
+        const GridPoint a = point(t[0]), b = point(t[1]), c = point(t[2]);
+        const std::int64_t area = orientation(a, b, c);
+        if (area <= 0) return flat;
+        const std::array<double, 3> dots{dotAt(a, b, c), dotAt(b, c, a), dotAt(c, a, b)};
+        double sharpest = -flat;
         for (std::size_t i = 0; i < 3; ++i)
-            if (!isBorderAngle(t, i))
-                smallest = std::min(smallest, angleAt(point(t[i]), point(t[(i + 1) % 3]), point(t[(i + 2) % 3])));
-        return smallest;
+            if (dots[i] > sharpest && !isBorderAngle(t, i)) sharpest = dots[i];
+        return sharpest / static_cast<double>(area);
     }
 
     void keepAsBest() {
-        best_ = {grade_, mesh_.triangles, {}, {}};
+        best_ = {grade_, mesh_.triangles, mesh_.strip.sides, {}, {}};
         for (const int node : mesh_.layer.stripNodes)
             if (node >= mesh_.boundaryCount) best_.places.emplace_back(node, mesh_.grid[at(node)]);
     }
@@ -87,6 +97,9 @@ private:
         if (best_.layer) mesh_.layer = std::move(*best_.layer);
         for (const auto& [node, at] : best_.places) place(node, at);
         mesh_.triangles = std::move(best_.triangles);
+        mesh_.strip.sides = std::move(best_.sides);
+        mesh_.strip.points.clear();
+        for (const int node : mesh_.layer.stripNodes) mesh_.strip.points.push_back(point(node));
     }
 
     /// Sets a node that is the strip's own; on its lattice place it has the lattice's coordinates.
@@ -96,30 +109,31 @@ private:
         mesh_.position[at(node)] = grid == fill_.innerGrid[inner] ? fill_.inner[inner] : frame_.placeOf(grid);
     }
 
-    /// Grades the strip and lists what is below the wanted angle; collects the triangles of each strip node.
+    /// Grades the strip and lists what is below the wanted angle.
     std::vector<int> badTriangles() {
         std::vector<int> bad;
         grade_ = {};
-        firstOfStar_.assign(mesh_.layer.stripNodes.size() + 1, 0);
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-            for (const int node : mesh_.triangles[t].nodes) ++firstOfStar_[stripIndex(node) + 1];
-            const double angle = freeAngle(mesh_.triangles[t].nodes);
-            grade_.smallest = std::min(grade_.smallest, angle);
-            if (angle < wanted_) bad.push_back(static_cast<int>(t));
+            const double sharp = sharpness(mesh_.triangles[t].nodes);
+            grade_.sharpest = std::max(grade_.sharpest, sharp);
+            if (sharp > wanted_) bad.push_back(static_cast<int>(t));
         }
         grade_.bad = static_cast<int>(bad.size());
-        for (std::size_t i = 1; i < firstOfStar_.size(); ++i) firstOfStar_[i] += firstOfStar_[i - 1];
-        stars_.resize(3 * mesh_.triangles.size());
-        std::vector<std::size_t> next(firstOfStar_.begin(), firstOfStar_.end() - 1);
-        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-            for (const int node : mesh_.triangles[t].nodes) stars_[next[stripIndex(node)]++] = static_cast<int>(t);
         return bad;
     }
 
-    [[nodiscard]] std::size_t stripIndex(int node) const {
-        const auto& nodes = mesh_.layer.stripNodes;
-        return static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
+    /// Collects the triangles of each strip node.
+    void collectStars() {
+        firstOfStar_.assign(mesh_.layer.stripNodes.size() + 1, 0);
+        const std::vector<int>& corners = mesh_.strip.sides.start;
+        for (const int vertex : corners) ++firstOfStar_[at(vertex)];
+        std::partial_sum(firstOfStar_.begin(), firstOfStar_.end(), firstOfStar_.begin());
+        stars_.resize(corners.size());
+        for (std::size_t side = corners.size(); side-- > 0;)
+            stars_[--firstOfStar_[at(corners[side])]] = static_cast<int>(side / 3);
     }
+
+    [[nodiscard]] std::size_t stripIndex(int node) const { return at(mesh_.layer.stripIndex[at(node)]); }
 
     /// The triangles at a strip node.
     [[nodiscard]] std::span<const int> star(int node) const {
@@ -132,6 +146,7 @@ private:
     bool moveNodesOf(const std::vector<int>& bad) {
         constexpr std::size_t crowded = 24; // triangles: a node of so many cannot have good angles
         bool moved = false;
+        collectStars();
         std::vector<int> nodes;
         for (const int t : bad)
             for (const int node : mesh_.triangles[at(t)].nodes)
@@ -143,22 +158,19 @@ private:
         return moved;
     }
 
-    /// Smallest angle of the star; negative if a triangle would turn over.
-    [[nodiscard]] double starAngle(std::span<const int> triangles) const {
-        double smallest = std::numbers::pi;
-        for (const int t : triangles) {
-            const auto& n = mesh_.triangles[at(t)].nodes;
-            if (orientation(point(n[0]), point(n[1]), point(n[2])) <= 0) return -1;
-            smallest = std::min(smallest, freeAngle(n));
-        }
-        return smallest;
+    /// Cotangent of the smallest angle of the star; infinite if a triangle would turn over.
+    [[nodiscard]] double starSharpness(std::span<const int> triangles) const {
+        double sharpest = -flat;
+        for (const int t : triangles) sharpest = std::max(sharpest, sharpness(mesh_.triangles[at(t)].nodes));
+        return sharpest;
     }
 
     /// Tries the middle of the star and steps that shrink.
     bool moveNode(int node) {
+        constexpr double leastGain = 1e-6; // [rad]: the cotangent of an angle falls by 1 + its square
         const GridPoint before = point(node);
         const std::span<const int> triangles = star(node);
-        double best = starAngle(triangles);
+        double best = starSharpness(triangles);
         double reach = 0;
         for (const int t : triangles)
             for (const int other : mesh_.triangles[at(t)].nodes)
@@ -171,8 +183,8 @@ private:
                 const double dy = std::array<double, 8>{0, 0.7, 1, 0.7, 0, -0.7, -1, -0.7}[at(direction)];
                 mesh_.grid[at(node)] = {here.x + static_cast<std::int32_t>(std::lround(dx * step)),
                                         here.y + static_cast<std::int32_t>(std::lround(dy * step))};
-                const double angle = starAngle(triangles);
-                if (angle > best + 1e-6) best = angle;
+                const double sharp = starSharpness(triangles);
+                if (sharp < best - leastGain * (1 + best * best)) best = sharp;
                 else mesh_.grid[at(node)] = here;
             }
         if (point(node) == before) return false;
@@ -230,6 +242,7 @@ private:
     struct Best {
         Grade grade;
         std::vector<Triangle> triangles;
+        TriangleSides sides;
         std::vector<std::pair<int, GridPoint>> places; ///< of the nodes of its strip
         std::optional<CellLayer> layer;                ///< empty while it is the mesh's own
     };

@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/meshing/ConstrainedDelaunay.h"
+#pragma once
 
 #include "core/base/Contracts.h"
+#include "core/meshing/GridPoint.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
 
-namespace toile::meshing {
-namespace {
+/// A general constrained Delaunay triangulation, point by point in a box round everything: slow and obvious, the
+/// referee of the strip's own.
+namespace toile::meshing::referee {
+
+/// An edge that the triangulation must contain, from → to.
+struct Constraint {
+    int from = 0, to = 0;
+    bool fillLeft = false; ///< the wanted region lies to its left
+};
 
 constexpr int none = -1;
 constexpr int next(int i) {
@@ -66,7 +78,7 @@ private:
     int last_ = 0;
 };
 
-Triangulation::Triangulation(std::span<const GridPoint> points) : points_(points.begin(), points.end()) {
+inline Triangulation::Triangulation(std::span<const GridPoint> points) : points_(points.begin(), points.end()) {
     callersPoints_ = static_cast<int>(points.size());
     constexpr std::int32_t far = gridLimit - 1;
     for (const GridPoint corner : {GridPoint{-far, -far}, {far, -far}, {far, far}, {-far, far}})
@@ -78,7 +90,7 @@ Triangulation::Triangulation(std::span<const GridPoint> points) : points_(points
     link(lower, 1, upper, false);
 }
 
-int Triangulation::addFace(int a, int b, int c) {
+inline int Triangulation::addFace(int a, int b, int c) {
     const int f = static_cast<int>(faces_.size());
     faces_.push_back({{a, b, c}, {none, none, none}, {}});
     for (const int v : {a, b, c}) incident_[static_cast<std::size_t>(v)] = f;
@@ -86,7 +98,7 @@ int Triangulation::addFace(int a, int b, int c) {
 }
 
 /// Joins side i of face f with face g, which must hold the same two corners.
-void Triangulation::link(int f, int i, int g, bool fixed) {
+inline void Triangulation::link(int f, int i, int g, bool fixed) {
     face(f).neighbour[static_cast<std::size_t>(i)] = g;
     face(f).fixed[static_cast<std::size_t>(i)] = fixed;
     if (g == none) return;
@@ -96,21 +108,21 @@ void Triangulation::link(int f, int i, int g, bool fixed) {
     face(g).fixed[static_cast<std::size_t>(j)] = fixed;
 }
 
-int Triangulation::indexOf(const Face& triangle, int vertex) const {
+inline int Triangulation::indexOf(const Face& triangle, int vertex) const {
     for (int i = 0; i < 3; ++i)
         if (triangle.corner[static_cast<std::size_t>(i)] == vertex) return i;
     expects(false, "a vertex belongs to its face");
     return 0;
 }
 
-void Triangulation::insertAll() {
+inline void Triangulation::insertAll() {
     std::vector<int> order(static_cast<std::size_t>(callersPoints_));
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](int a, int b) { return mortonCode(at(a)) < mortonCode(at(b)); });
     for (const int vertex : order) insert(vertex);
 }
 
-void Triangulation::insert(int vertex) {
+inline void Triangulation::insert(int vertex) {
     const GridPoint p = at(vertex);
     int f = last_, from = none;
     for (;;) { // walk towards the point; ends because the triangulation is Delaunay
@@ -135,7 +147,7 @@ void Triangulation::insert(int vertex) {
     }
 }
 
-void Triangulation::splitFace(int f, int vertex) {
+inline void Triangulation::splitFace(int f, int vertex) {
     const Face old = face(f);
     const auto [a, b, c] = old.corner;
     const int g = addFace(b, c, vertex), h = addFace(c, a, vertex);
@@ -152,7 +164,7 @@ void Triangulation::splitFace(int f, int vertex) {
 }
 
 /// The vertex lies on side i of face f: both faces at it are halved.
-void Triangulation::splitSide(int f, int i, int vertex) {
+inline void Triangulation::splitSide(int f, int i, int vertex) {
     const Face old = face(f);
     const int g = old.neighbour[static_cast<std::size_t>(i)];
     const int j = mirrorIndex(f, i);
@@ -181,7 +193,7 @@ void Triangulation::splitSide(int f, int i, int vertex) {
     for (const int t : {f, g, h, k}) pending_.push_back({t, 2});
 }
 
-void Triangulation::legalise(int vertex) {
+inline void Triangulation::legalise(int vertex) {
     while (!pending_.empty()) {
         const Side side = pending_.back();
         pending_.pop_back();
@@ -194,22 +206,26 @@ void Triangulation::legalise(int vertex) {
     }
 }
 
-int Triangulation::mirrorIndex(int f, int i) const {
+inline int Triangulation::mirrorIndex(int f, int i) const {
     const Face& t = face(f);
     const Face& other = face(t.neighbour[static_cast<std::size_t>(i)]);
     return next(indexOf(other, t.corner[static_cast<std::size_t>(next(i))]));
 }
 
-bool Triangulation::locallyDelaunay(int f, int i) const {
+/// Of four points on one circle the first has the diagonal.
+inline bool Triangulation::locallyDelaunay(int f, int i) const {
     const Face& t = face(f);
     const auto s = static_cast<std::size_t>(i);
     if (t.neighbour[s] == none || t.fixed[s]) return true;
     const int apex = face(t.neighbour[s]).corner[static_cast<std::size_t>(mirrorIndex(f, i))];
-    return !inCircle(at(t.corner[0]), at(t.corner[1]), at(t.corner[2]), at(apex));
+    const int side = circleSide(at(t.corner[0]), at(t.corner[1]), at(t.corner[2]), at(apex));
+    if (side != 0) return side < 0;
+    const auto corner = [&](int k) { return at(t.corner[static_cast<std::size_t>(k)]); };
+    return std::min(corner(next(i)), corner(previous(i))) < std::min(corner(i), at(apex));
 }
 
 /// Turns the diagonal of the two faces at side i of f. Afterwards corner 0 of both is what was corner i of f.
-void Triangulation::flip(int f, int i) {
+inline void Triangulation::flip(int f, int i) {
     const Face t = face(f);
     const int g = t.neighbour[static_cast<std::size_t>(i)];
     const int j = mirrorIndex(f, i);
@@ -230,7 +246,7 @@ void Triangulation::flip(int f, int i) {
 }
 
 /// The side of a face that runs from → to counter-clockwise; face = none if the edge does not exist.
-Side Triangulation::sideBetween(int from, int to) const {
+inline Side Triangulation::sideBetween(int from, int to) const {
     const int first = incident_[static_cast<std::size_t>(from)];
     const auto sideOf = [&](int f, int k) {
         return face(f).corner[static_cast<std::size_t>(next(k))] == to ? Side{f, previous(k)} : Side{};
@@ -249,7 +265,7 @@ Side Triangulation::sideBetween(int from, int to) const {
     return {};
 }
 
-void Triangulation::insertConstraint(int from, int to) {
+inline void Triangulation::insertConstraint(int from, int to) {
     while (from != to) {
         if (sideBetween(from, to).face != none) {
             fix(from, to);
@@ -264,7 +280,7 @@ void Triangulation::insertConstraint(int from, int to) {
 }
 
 /// Walks from → to; collects the edges crossed up to the first vertex on the way, which it returns.
-int Triangulation::firstVertexAlong(int from, int to, std::deque<std::pair<int, int>>& crossed) const {
+inline int Triangulation::firstVertexAlong(int from, int to, std::deque<std::pair<int, int>>& crossed) const {
     int f = incident_[static_cast<std::size_t>(from)];
     int right = none, left = none;
     for (;;) { // counter-clockwise round `from` to the face that the way enters
@@ -292,7 +308,7 @@ int Triangulation::firstVertexAlong(int from, int to, std::deque<std::pair<int, 
     }
 }
 
-bool Triangulation::flippable(int f, int i) const {
+inline bool Triangulation::flippable(int f, int i) const {
     const Face& t = face(f);
     const Face& u = face(t.neighbour[static_cast<std::size_t>(i)]);
     const GridPoint a = at(t.corner[static_cast<std::size_t>(i)]);
@@ -303,7 +319,7 @@ bool Triangulation::flippable(int f, int i) const {
 }
 
 /// Flips edges until none crosses from → to (Sloan 1993), then restores the Delaunay property round it.
-void Triangulation::flipAway(int from, int to, std::deque<std::pair<int, int>>& crossed) {
+inline void Triangulation::flipAway(int from, int to, std::deque<std::pair<int, int>>& crossed) {
     std::vector<std::pair<int, int>> created;
     while (!crossed.empty()) {
         const auto [right, left] = crossed.front();
@@ -341,13 +357,13 @@ void Triangulation::flipAway(int from, int to, std::deque<std::pair<int, int>>& 
     }
 }
 
-void Triangulation::fix(int from, int to) {
+inline void Triangulation::fix(int from, int to) {
     const Side side = sideBetween(from, to);
     expects(side.face != none, "a constraint is an edge");
     link(side.face, side.index, face(side.face).neighbour[static_cast<std::size_t>(side.index)], true);
 }
 
-std::vector<std::array<int, 3>> Triangulation::filled(std::span<const Constraint> constraints) const {
+inline std::vector<std::array<int, 3>> Triangulation::filled(std::span<const Constraint> constraints) const {
     std::vector<char> wanted(faces_.size(), 0);
     std::vector<int> open;
     const auto visit = [&](int f) {
@@ -369,10 +385,12 @@ std::vector<std::array<int, 3>> Triangulation::filled(std::span<const Constraint
     return triangles;
 }
 
-} // namespace
-
-std::vector<std::array<int, 3>> constrainedDelaunay(std::span<const GridPoint> points,
-                                                    std::span<const Constraint> constraints) {
+/// The constrained Delaunay triangulation of the regions to the left of those constraints that ask for it, up
+/// to the next constraint. Points are distinct; constraints meet at common end points only. Triangles are
+/// counter-clockwise. All decisions are exact, and the result depends on the set of points alone, not on its
+/// order.
+inline std::vector<std::array<int, 3>> constrainedDelaunay(std::span<const GridPoint> points,
+                                                           std::span<const Constraint> constraints) {
     if (points.empty()) return {};
     Triangulation triangulation(points);
     triangulation.insertAll();
@@ -388,4 +406,4 @@ std::vector<std::array<int, 3>> constrainedDelaunay(std::span<const GridPoint> p
     return triangulation.filled(constraints);
 }
 
-} // namespace toile::meshing
+} // namespace toile::meshing::referee
