@@ -108,9 +108,11 @@ QString corpusFolder() {
 } // namespace
 
 void tst_MeshFuzz::initTestCase() {
-#ifndef __SANITIZE_ADDRESS__                 // whose shadow is terabytes of addresses
-    const rlimit most{4ul << 30, 4ul << 30}; // an input that takes all memory ends this program, not the machine
-    QCOMPARE(setrlimit(RLIMIT_AS, &most), 0);
+#ifndef __SANITIZE_ADDRESS__ // whose shadow is terabytes of addresses
+    rlimit memory{};
+    QCOMPARE(getrlimit(RLIMIT_AS, &memory), 0);
+    memory.rlim_cur = std::min(memory.rlim_max, rlim_t{4} << 30); // an input that takes all ends us, not the machine
+    QCOMPARE(setrlimit(RLIMIT_AS, &memory), 0);
 #endif
     for (const int signal : {SIGABRT, SIGSEGV, SIGFPE}) std::signal(signal, nameTheSeed);
 }
