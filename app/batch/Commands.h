@@ -21,6 +21,7 @@ struct MeshOptions {
     std::string file;
     std::optional<double> spacing; ///< [m]
     std::optional<pattern::LineRule> rule;
+    std::optional<pattern::RegionBorder> border;
     std::string piece;   ///< only this one; empty = all
     bool regions = true; ///< false = the main mesh alone
     int repeat = 1;      ///< runs whose median time is reported

@@ -94,7 +94,7 @@ Result<void> run(const MeshOptions& options) {
     Result<pattern::Pattern> pattern = opened->document.pattern;
     if (!options.piece.empty()) pattern = onlyPiece(*pattern, options.piece);
     if (!pattern) return tl::unexpected(pattern.error());
-    auto input = simulation::meshInputOf(*pattern, {options.spacing, options.rule});
+    auto input = simulation::meshInputOf(*pattern, {options.spacing, options.rule, options.border});
     if (!input) return tl::unexpected(input.error());
     if (!options.regions)
         for (meshing::PieceInput& piece : input->pieces) piece.regions.clear();

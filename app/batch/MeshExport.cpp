@@ -6,6 +6,7 @@
 #include "core/picture/RenderPicture.h"
 #include "core/simulation/Topology.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace toile::batch {
@@ -33,6 +34,27 @@ std::vector<std::vector<int>> cellsOf(const meshing::PieceMesh& mesh) {
     return cells;
 }
 
+/// The same without corners on sides: a rectangle with slaves on its sides is cut as it is displayed.
+std::vector<std::vector<int>> facesOf(const meshing::PieceMesh& mesh) {
+    const auto at = [&](int node) { return mesh.material[static_cast<std::size_t>(node)]; };
+    std::vector<std::vector<int>> faces;
+    auto next = mesh.display.begin(); // of the rectangles in their order, then of the triangles
+    for (const meshing::Rectangle& cell : mesh.rectangles) {
+        const Vec2 low = at(cell.nodes[0]), high = at(cell.nodes[2]);
+        const auto isInside = [&](int node) {
+            return at(node).x >= low.x && at(node).x <= high.x && at(node).y >= low.y && at(node).y <= high.y;
+        };
+        const auto first = next;
+        while (next != mesh.display.end() && std::ranges::all_of(*next, isInside)) ++next;
+        if (next - first == 2) faces.emplace_back(cell.nodes.begin(), cell.nodes.end());
+        else
+            for (auto triangle = first; triangle != next; ++triangle)
+                faces.emplace_back(triangle->begin(), triangle->end());
+    }
+    for (const meshing::Triangle& t : mesh.triangles) faces.emplace_back(t.nodes.begin(), t.nodes.end());
+    return faces;
+}
+
 std::string objText(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh) {
     std::string text = "# metres, x weft, y warp\n";
     const std::vector<Vec2> offsets = rowOf(mesh);
@@ -41,7 +63,7 @@ std::string objText(const pattern::Pattern& pattern, const meshing::GarmentMesh&
         text += fmt::format("g {}\n", pattern.pieces[i]->id.value);
         for (const Vec2 node : mesh.pieces[i].nodes)
             text += fmt::format("v {} {} 0\n", node.x + offsets[i].x, node.y + offsets[i].y);
-        for (const std::vector<int>& cell : cellsOf(mesh.pieces[i])) {
+        for (const std::vector<int>& cell : facesOf(mesh.pieces[i])) {
             text += "f";
             for (const int node : cell) text += fmt::format(" {}", first + static_cast<std::size_t>(node));
             text += "\n";

@@ -52,6 +52,13 @@ void declareMesh(CLI::App& app, std::function<int()>& chosen) {
         ->add_option_function<pattern::LineRule>(
             "--rule", [options](const pattern::LineRule& rule) { options->rule = rule; }, "how scan lines are chosen")
         ->transform(CLI::CheckedTransformer(rules));
+    const std::map<std::string, pattern::RegionBorder> borders{{"snap", pattern::RegionBorder::snap},
+                                                               {"exact", pattern::RegionBorder::exact}};
+    command
+        ->add_option_function<pattern::RegionBorder>(
+            "--border", [options](const pattern::RegionBorder& border) { options->border = border; },
+            "what becomes of the borders of regions")
+        ->transform(CLI::CheckedTransformer(borders));
     command->add_option("--piece", options->piece, "only the piece of this name or id");
     command->add_flag("!--no-regions", options->regions, "the main mesh alone");
     command->add_option("--repeat", options->repeat, "runs whose median time is reported")->check(CLI::Range(1, 1000));

@@ -56,7 +56,8 @@ meshing::PieceInput pieceInputOf(const Piece& piece, const MeshOverrides& overri
     case LineRule::features: input.rule = meshing::LineRule::features; break;
     case LineRule::paper: input.rule = meshing::LineRule::paper; break;
     }
-    input.border = piece.border == RegionBorder::exact ? meshing::RegionBorder::exact : meshing::RegionBorder::snap;
+    input.border = overrides.border.value_or(piece.border) == RegionBorder::exact ? meshing::RegionBorder::exact
+                                                                                  : meshing::RegionBorder::snap;
     input.mirrored = piece.mirror.has_value();
     return input;
 }

@@ -11,8 +11,9 @@ namespace toile::simulation {
 
 /// What may be asked of the mesh beside what the document says.
 struct MeshOverrides {
-    std::optional<double> spacing;         ///< ε_m of every piece [m]
-    std::optional<pattern::LineRule> rule; ///< of every piece
+    std::optional<double> spacing;               ///< ε_m of every piece [m]
+    std::optional<pattern::LineRule> rule;       ///< of every piece
+    std::optional<pattern::RegionBorder> border; ///< of every piece
 };
 
 /// The pattern in the mesher's own words: mirror pieces resolved, ids turned into indices. Pieces and seams keep

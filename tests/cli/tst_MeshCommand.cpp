@@ -43,6 +43,9 @@ private slots:
     void theReportHasTheKeysThatArePromised();
     void theSumOfThePiecesIsTheTotal();
     void theSpacingsOfTheSidesAreCompared();
+    void everySampleIsSewnAlikeByEveryRule_data();
+    void everySampleIsSewnAlikeByEveryRule();
+    void mostCellsOfTheSampleGarmentsAreRectangles();
     void aTableIsPrintedForPeople();
     void onePieceAlone();
     void theMainMeshAlone();
@@ -50,6 +53,8 @@ private slots:
     void halfTheSpacingGivesAboutFourTimesTheCells();
     void everyFormatIsWritten_data();
     void everyFormatIsWritten();
+    void noCornerLiesOnASideInAnObj();
+    void regionBordersMayStayWhereTheyArePainted();
     void anotherFormatIsRefused();
     void aMissingFolderIsSaidAndNothingIsWritten();
     void wrongUsage_data();
@@ -106,6 +111,42 @@ void tst_MeshCommand::theSpacingsOfTheSidesAreCompared() {
     }
 }
 
+void tst_MeshCommand::everySampleIsSewnAlikeByEveryRule_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("rule");
+    for (const char* name : {"blouse", "t-shirt", "circle-skirt", "trousers", "tube", "two-squares"})
+        for (const char* rule : {"regular", "features", "paper"})
+            QTest::addRow("%s, %s", name, rule) << sample(QString("%1.toile").arg(name)) << QString(rule);
+}
+
+/// The three conditions of the paper, for every seam.
+void tst_MeshCommand::everySampleIsSewnAlikeByEveryRule() {
+    QFETCH(QString, file);
+    QFETCH(QString, rule);
+    const Json json = report({file, "--rule", rule});
+    QVERIFY(!json.find("seams")->asArray()->empty());
+    for (const Json& seam : *json.find("seams")->asArray())
+        for (const char* key : {"equalLength", "equalCount", "equalUnitLength"})
+            QVERIFY2(*seam.find(key)->asBool(), seam.find("name")->asString()->c_str());
+    for (const char* key : {"invertedCells", "missingBoundaryNodes", "nonManifoldEdges"})
+        QCOMPARE(number(*json.find("total"), key), 0.0);
+}
+
+void tst_MeshCommand::mostCellsOfTheSampleGarmentsAreRectangles() {
+    const auto share = [this](const char* spacing) {
+        double rectangles = 0, cells = 0;
+        for (const char* name : {"blouse", "t-shirt", "trousers", "circle-skirt"}) {
+            const Json json = report({sample(QString("%1.toile").arg(name)), "--spacing", spacing});
+            const Json& total = *json.find("total");
+            rectangles += number(total, "rectangles");
+            cells += number(total, "quads") + number(total, "triangles");
+        }
+        return rectangles / cells;
+    };
+    QVERIFY(share("20") >= 0.80); // the goals of the mesher's specification
+    QVERIFY(share("10") >= 0.90);
+}
+
 void tst_MeshCommand::aTableIsPrintedForPeople() {
     const Finished finished = run({"mesh", sample("two-squares.toile")});
     QCOMPARE(finished.status, 0);
@@ -160,6 +201,44 @@ void tst_MeshCommand::everyFormatIsWritten() {
     }
 }
 
+/// Where coarse cells meet fine ones, other programs shall see no crack: every inner side belongs to two faces.
+void tst_MeshCommand::noCornerLiesOnASideInAnObj() {
+    const QStringList back{"mesh", sample("blouse.toile"), "--piece", "Back"};
+    QCOMPARE(run(back + QStringList{"--out", in("back.obj"), "--report", in("back.json")}).status, 0);
+    const Json total = *jsonOf(contentOf(in("back.json"))).find("total");
+    QVERIFY(number(total, "slaves") > 0);
+    std::map<std::pair<int, int>, int> faces; // by directed side
+    int corners = 0;
+    for (const QByteArray& line : contentOf(in("back.obj")).split('\n')) {
+        if (!line.startsWith("f ")) continue;
+        const QList<QByteArray> nodes = line.mid(2).split(' ');
+        for (qsizetype i = 0; i < nodes.size(); ++i)
+            QVERIFY(++faces[std::pair(nodes[i].toInt(), nodes[(i + 1) % nodes.size()].toInt())] == 1);
+        corners += nodes.size() == 4;
+    }
+    QVERIFY(corners > 100); // cells without a slave stay whole
+    int border = 0;
+    for (const auto& [side, count] : faces) border += !faces.contains({side.second, side.first});
+    std::map<int, int> used;
+    for (const auto& [side, count] : faces) ++used[side.first];
+    QCOMPARE(double(used.size()), number(total, "nodes"));
+    QCOMPARE(int(used.size()) - int(faces.size() + border) / 2 + int(contentOf(in("back.obj")).count("\nf ")),
+             -1); // Euler's number of a piece with two darts cut out
+}
+
+void tst_MeshCommand::regionBordersMayStayWhereTheyArePainted() {
+    const QStringList back{sample("blouse.toile"), "--piece", "Back", "--border"};
+    const auto largest = [](const Json& json) {
+        double displacement = 0;
+        for (const Json& region : *json.find("pieces")->asArray()->front().find("regions")->asArray())
+            displacement = std::max(displacement, number(region, "displacement"));
+        return displacement;
+    };
+    const double snapped = largest(report(back + QStringList{"snap"})),
+                 kept = largest(report(back + QStringList{"exact"}));
+    QVERIFY(snapped > 1e-3 && kept < snapped);
+}
+
 void tst_MeshCommand::anotherFormatIsRefused() {
     const Finished finished = run({"mesh", sample("two-squares.toile"), "--out", in("mesh.step")});
     QCOMPARE(finished.status, 1);
@@ -182,6 +261,7 @@ void tst_MeshCommand::wrongUsage_data() {
     QTest::newRow("a spacing below zero") << QStringList{"--spacing", "-20"};
     QTest::newRow("a spacing that is no number") << QStringList{"--spacing", "wide"};
     QTest::newRow("an unknown rule") << QStringList{"--rule", "random"};
+    QTest::newRow("an unknown border") << QStringList{"--border", "soft"};
     QTest::newRow("no run at all") << QStringList{"--repeat", "0"};
 }
 

@@ -13,8 +13,11 @@ private slots:
     void aFineSquareInACoarseOneHasSlavesOnItsBorder();
     void aRegionEqualToThePieceIsAUniformFineMesh();
     void snappingReportsHowFarTheBorderMoved();
+    void aBorderMovedTooFarIsWarnedOf();
     void anExactBorderStaysWhereItWasPainted();
-    void sixtyFourthsOnOneCellAreRingedDown();
+    void anExactBorderMovesItsSlantedSidesAlone();
+    void everyRatioUpToSixtyFourIsRingedDown_data();
+    void everyRatioUpToSixtyFourIsRingedDown();
     void whereRegionsOverlapTheFinerCounts();
     void regionsThatShareACornerOnly();
     void aRegionWithAHole();
@@ -99,6 +102,17 @@ void tst_Regions::snappingReportsHowFarTheBorderMoved() {
     QVERIFY(garment->report.warnings.empty()); // 0.3 of a cell is within the promise of half a cell
 }
 
+void tst_Regions::aBorderMovedTooFarIsWarnedOf() {
+    // A corner in the middle of a cell moves by half the cell's diagonal: 0.71 of it.
+    const double cell = 1.0 / 16;
+    const auto garment =
+        meshGarment(inputOf(squareWith({region("moved", box(4.5 * cell, 4.5 * cell, 12 * cell, 12 * cell), 1)})));
+    VERIFY_SOUND(garment);
+    QVERIFY(std::abs(garment->report.pieces[0].regions[0].displacement - std::sqrt(0.5) * cell) < 1e-9);
+    QCOMPARE(garment->report.warnings.size(), std::size_t{1});
+    QVERIFY(garment->report.warnings[0].text.find("\"moved\" moved by 44.2 mm") != std::string::npos);
+}
+
 void tst_Regions::anExactBorderStaysWhereItWasPainted() {
     PieceInput piece = squareWith({region("exact", box(0.262, 0.251, 0.731, 0.777), 1)});
     piece.border = RegionBorder::exact;
@@ -109,13 +123,49 @@ void tst_Regions::anExactBorderStaysWhereItWasPainted() {
     QVERIFY(garment->pieces[0].rectangles.size() > 400);
 }
 
-void tst_Regions::sixtyFourthsOnOneCellAreRingedDown() {
+void tst_Regions::anExactBorderMovesItsSlantedSidesAlone() {
+    // A box with one corner cut off: lines go through its four grain-parallel sides, the slanted one becomes stairs.
+    PieceInput piece =
+        squareWith({region("cut", {{0.262, 0.251}, {0.731, 0.251}, {0.731, 0.61}, {0.6, 0.777}, {0.262, 0.777}}, 1)});
+    piece.border = RegionBorder::exact;
+    const auto garment = meshGarment(inputOf(piece));
+    VERIFY_SOUND(garment);
+    const RegionReport& report = garment->report.pieces[0].regions[0];
+    QVERIFY(report.displacement > 1e-3 && report.displacement < 1.0 / 16);
+    const PieceMesh& mesh = garment->pieces[0];
+    geometry::Box2 fine{{1, 1}, {0, 0}};
+    for (const Rectangle& r : mesh.rectangles) {
+        if (r.region != 0) continue;
+        const Vec2 low = mesh.material[static_cast<std::size_t>(r.nodes[0])],
+                   high = mesh.material[static_cast<std::size_t>(r.nodes[2])];
+        fine.low = {std::min(fine.low.x, low.x), std::min(fine.low.y, low.y)};
+        fine.high = {std::max(fine.high.x, high.x), std::max(fine.high.y, high.y)};
+    }
+    const double unit = 1e-6; // lines lie on the integer grid
+    QVERIFY(distance(fine.low, Vec2{0.262, 0.251}) < unit && distance(fine.high, Vec2{0.731, 0.777}) < unit);
+}
+
+void tst_Regions::everyRatioUpToSixtyFourIsRingedDown_data() {
+    QTest::addColumn<int>("refinement");
+    for (int m = 1; m <= 6; ++m) QTest::addRow("1 : %d", 1 << m) << m;
+}
+
+void tst_Regions::everyRatioUpToSixtyFourIsRingedDown() {
+    QFETCH(int, refinement);
     const double cell = 1.0 / 16;
     const auto garment =
-        meshGarment(inputOf(squareWith({region("spot", box(8 * cell, 8 * cell, 9 * cell, 9 * cell), 6)})));
+        meshGarment(inputOf(squareWith({region("spot", box(8 * cell, 8 * cell, 9 * cell, 9 * cell), refinement)})));
     VERIFY_SOUND(garment);
-    QCOMPARE(largestSizeRatio(garment->pieces[0]), 2.0);
-    QVERIFY(garment->pieces[0].triangles.size() < 1400); // the border strip where the rings reach it, nothing else
+    const PieceMesh& mesh = garment->pieces[0];
+    QCOMPARE(largestSizeRatio(mesh), 2.0);
+    std::map<double, int> cellsOfWidth; // in the spot and in the rings round it
+    for (const Rectangle& r : mesh.rectangles)
+        ++cellsOfWidth[std::round(cell / (mesh.material[static_cast<std::size_t>(r.nodes[1])].x -
+                                          mesh.material[static_cast<std::size_t>(r.nodes[0])].x))];
+    QCOMPARE(cellsOfWidth.size(), static_cast<std::size_t>(refinement + 1)); // 1, 2, 4 … 2^m parts of a cell
+    QCOMPARE(cellsOfWidth.rbegin()->first, std::ldexp(1, refinement));
+    QCOMPARE(cellsOfWidth.rbegin()->second, 1 << (2 * refinement)); // the whole spot, nothing beside it
+    QVERIFY(mesh.triangles.size() < 1400); // the border strip where the rings reach it, nothing else
 }
 
 void tst_Regions::whereRegionsOverlapTheFinerCounts() {

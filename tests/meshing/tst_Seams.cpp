@@ -13,6 +13,7 @@ private slots:
     void bothSidesCarryTheFinerCount();
     void aReversedPartIsWalkedBackwards();
     void jointsOfOneSideBecomeNodesOfTheOther();
+    void chainsOfSeveralPiecesMeetAtTheJointsOfBothSides();
     void anUndeclaredMismatchIsAnErrorWithBothLengths();
     void declaredEaseKeepsEqualCounts();
     void notchesAreMatchedInOrder();
@@ -74,6 +75,28 @@ void tst_Seams::jointsOfOneSideBecomeNodesOfTheOther() {
     QCOMPARE(pairs[8][0].piece, 1);
     QVERIFY(pairs[7][1] == pairs[8][1]);
     QVERIFY(distance(pointOf(*garment, pairs[7][1]), Vec2{0.13, 0.1}) < 1e-15);
+}
+
+void tst_Seams::chainsOfSeveralPiecesMeetAtTheJointsOfBothSides() {
+    // Joints at 0.13 and 0.33 m on one side, at 0.25 m on the other: four stretches of 0.13, 0.12, 0.08 and 0.17 m.
+    MeshInput input{{rectanglePiece(0.13, 0.2, 0.02), rectanglePiece(0.2, 0.2, 0.02), rectanglePiece(0.17, 0.2, 0.02),
+                     rectanglePiece(0.25, 0.1, 0.02), rectanglePiece(0.25, 0.1, 0.02)},
+                    {}};
+    input.seams = {seamOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{3, 0, 2, 0, 1, true}, {4, 0, 2, 0, 1, true}})};
+    const auto garment = meshGarment(input);
+    QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
+    const std::array<double, 3> leftOfA{0, 0.13, 0.33};
+    std::array<std::set<double>, 2> along; // the places of the sewing points from the start of the seam, to 1 µm
+    const auto rounded = [](double place) { return std::round(place * 1e6) / 1e6; };
+    for (const auto& [a, b] : garment->seams[0].pairs) {
+        along[0].insert(rounded(leftOfA[static_cast<std::size_t>(a.piece)] + pointOf(*garment, a).x));
+        along[1].insert(rounded((b.piece - 3) * 0.25 + pointOf(*garment, b).x));
+    }
+    QVERIFY(along[0] == along[1]);
+    QCOMPARE(along[0].size(), std::size_t{7 + 6 + 4 + 9 + 1}); // each stretch in ⌈L / 20 mm⌉ parts
+    for (const double joint : {0.13, 0.25, 0.33}) QVERIFY(along[0].contains(joint));
+    const SewnAlike alike = sewnAlike(garment->report.seams[0]);
+    QVERIFY(alike.length && alike.count && alike.unit);
 }
 
 void tst_Seams::anUndeclaredMismatchIsAnErrorWithBothLengths() {
