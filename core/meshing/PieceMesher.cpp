@@ -8,6 +8,7 @@
 #include "core/meshing/Quality.h"
 #include "core/meshing/StripImprovement.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace toile::meshing {
@@ -17,15 +18,18 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-/// Details of the border as small as the rounding of the grid leave triangles without area in material
-/// coordinates.
-Result<void> everyTriangleHasArea(const PieceInput& piece, const PieceFrame& frame, const CellMesh& cells) {
-    for (const Triangle& triangle : cells.triangles) {
-        const auto corner = [&](std::size_t i) { return cells.position[at(triangle.nodes[i])]; };
-        if (cross(corner(1) - corner(0), corner(2) - corner(0)) > 0) continue;
+/// Details of the border as small as the rounding of the grid, and nodes of a straight border beside a rectangle's
+/// side, leave triangles without area between the nodes as they are given.
+Result<void> everyTriangleHasArea(const PieceInput& piece, const PieceFrame& frame, const PieceMesh& mesh) {
+    const double leastHeight = 1e-3 * frame.unit; // far above the rounding of coordinates
+    for (const Triangle& triangle : mesh.triangles) {
+        const auto corner = [&](std::size_t i) { return mesh.nodes[at(triangle.nodes[i % 3])]; };
+        double longest = 0;
+        for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, distance(corner(i), corner(i + 1)));
+        if (cross(corner(1) - corner(0), corner(2) - corner(0)) > leastHeight * longest) continue;
         return fail(ErrorCode::invalidInput,
-                    "The border comes nearer to itself than " + micrometres(8 * frame.unit) + " at " +
-                        pointText(frame.pointFromFrame(corner(0))) + ".",
+                    "The border comes nearer to itself or to a line of the mesh than " + micrometres(8 * frame.unit) +
+                        " at " + pointText(corner(0)) + ".",
                     {.object = nameOf(piece)});
     }
     return {};
@@ -69,9 +73,10 @@ Result<PieceMesh> meshedPiece(const PieceInput& piece, const PieceBoundary& boun
     GridFill fill = fillLattice(boundary.frame, nodes, lattice, literal ? paperClearance : clearance);
     CellMesh cells = cellMesh(boundary.frame, nodes, lattice, fill);
     improveStrip(boundary.frame, nodes, lattice, fill, cells, {.passes = literal ? 0 : ImprovementSettings{}.passes});
-    if (auto sound = everyTriangleHasArea(piece, boundary.frame, cells); !sound) return tl::unexpected(sound.error());
     mergePairs(cells);
-    return finishedPiece(boundary.frame, nodes, cells).mesh;
+    PieceMesh mesh = finishedPiece(boundary.frame, nodes, cells).mesh;
+    if (auto sound = everyTriangleHasArea(piece, boundary.frame, mesh); !sound) return tl::unexpected(sound.error());
+    return mesh;
 }
 
 PieceReport pieceReport(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes,

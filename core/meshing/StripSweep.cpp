@@ -181,7 +181,8 @@ int StripSweep::join(int newest, int vertex) {
     chain(node).next = upper;
     chain(newest).owner = awaiting(node);
     chain(node).owner = awaiting(newest);
-    for (int here = newest, before = chain(here).previous; before != none; here = before, before = chain(here).previous) {
+    for (int here = newest, before = chain(here).previous; before != none;
+         here = before, before = chain(here).previous) {
         if (orientation(placeOf(before), place, placeOf(here)) <= 0) break;
         const int side = addTriangle(chain(before).vertex, vertex, chain(here).vertex);
         glue(side + 1, here);

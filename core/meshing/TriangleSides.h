@@ -24,8 +24,8 @@ struct TriangleSides {
     }
 };
 
-/// Turns the diagonal `side` of the two triangles at it. Afterwards their four outer sides are `side`, the one before it,
-/// and the same of what was its twin.
+/// Turns the diagonal `side` of the two triangles at it. Afterwards their four outer sides are `side`, the one before
+/// it, and the same of what was its twin.
 inline void turnDiagonal(TriangleSides& sides, int side) {
     const auto setTwin = [&](int one, int other) {
         sides.twin[static_cast<std::size_t>(one)] = other;
