@@ -12,14 +12,16 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 add_library(toile_options INTERFACE)
-target_include_directories(toile_options INTERFACE ${CMAKE_SOURCE_DIR})
-target_compile_options(toile_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror
-                       -Wno-missing-field-initializers # designated initializers leave fields at their defaults
-                       -Wno-maybe-uninitialized -Wno-restrict) # GCC 12 sees ghosts in std::variant and std::string
+target_include_directories(toile_options INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>
+                           $<INSTALL_INTERFACE:include/toile>)
+target_compile_features(toile_options INTERFACE cxx_std_20)
+# Designated initializers leave fields at their defaults; GCC 12 sees ghosts in std::variant and std::string.
+target_compile_options(toile_options INTERFACE
+    "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Werror;-Wno-missing-field-initializers;-Wno-maybe-uninitialized;-Wno-restrict>")
 # Fused multiply-add would make results depend on the processor and exact predicates wrong.
-target_compile_options(toile_options INTERFACE -ffp-contract=off)
+target_compile_options(toile_options INTERFACE $<BUILD_INTERFACE:-ffp-contract=off>)
 # FCL and we must agree on the alignment of Eigen's types whatever flags a build adds.
-target_compile_definitions(toile_options INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
+target_compile_definitions(toile_options INTERFACE $<BUILD_INTERFACE:EIGEN_MAX_ALIGN_BYTES=16>)
 
 if(TOILE_SANITIZE)
     target_compile_options(toile_options INTERFACE -fsanitize=${TOILE_SANITIZE} -fno-omit-frame-pointer)
