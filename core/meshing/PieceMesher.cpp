@@ -18,18 +18,24 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
+/// Whether a triangle's height is more than the rounding of coordinates.
+bool hasArea(const std::vector<Vec2>& places, const std::array<int, 3>& nodes, double leastHeight) {
+    const auto corner = [&](std::size_t i) { return places[at(nodes[i % 3])]; };
+    double longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, distance(corner(i), corner(i + 1)));
+    return cross(corner(1) - corner(0), corner(2) - corner(0)) > leastHeight * longest;
+}
+
 /// Details of the border as small as the rounding of the grid, and nodes of a straight border beside a rectangle's
-/// side, leave triangles without area between the nodes as they are given.
+/// side, leave triangles without area: where the nodes were given, or in material coordinates.
 Result<void> everyTriangleHasArea(const PieceInput& piece, const PieceFrame& frame, const PieceMesh& mesh) {
-    const double leastHeight = 1e-3 * frame.unit; // far above the rounding of coordinates
+    const double leastHeight = 1e-3 * frame.unit;
     for (const Triangle& triangle : mesh.triangles) {
-        const auto corner = [&](std::size_t i) { return mesh.nodes[at(triangle.nodes[i % 3])]; };
-        double longest = 0;
-        for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, distance(corner(i), corner(i + 1)));
-        if (cross(corner(1) - corner(0), corner(2) - corner(0)) > leastHeight * longest) continue;
+        if (hasArea(mesh.nodes, triangle.nodes, leastHeight) && hasArea(mesh.material, triangle.nodes, leastHeight))
+            continue;
         return fail(ErrorCode::invalidInput,
                     "The border comes nearer to itself or to a line of the mesh than " + micrometres(8 * frame.unit) +
-                        " at " + pointText(corner(0)) + ".",
+                        " at " + pointText(mesh.nodes[at(triangle.nodes[0])]) + ".",
                     {.object = nameOf(piece)});
     }
     return {};

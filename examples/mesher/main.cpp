@@ -9,8 +9,8 @@ using namespace toile::meshing;
 int main() {
     PieceInput back;
     back.label = "Back";
-    back.spacing = 0.02;                                  // ε_m, the largest distance of nodes [m]
-    back.outline = {{Curve{{0, 0}, {0.5, 0}, {}}, {}, "hem"}, // edge after edge, counter-clockwise
+    back.spacing = 0.02;                                              // ε_m, the largest distance of nodes [m]
+    back.outline = {{Curve{{0, 0}, {0.5, 0}, {}}, {}, "hem"},         // edge after edge, counter-clockwise
                     {Curve{{0.5, 0}, {0.5, 0.6}, {}}, {0.4}, "side"}, // a notch at 40 % of its length
                     {Curve{{0.5, 0.6}, {0, 0.6}, {}}, {}, "yoke seam"},
                     {Curve{{0, 0.6}, {0, 0}, {}}, {}, "other side"}};

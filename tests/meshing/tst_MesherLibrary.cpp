@@ -55,7 +55,8 @@ void tst_MesherLibrary::theExampleRunsWithIt() {
                  .isEmpty());
     QVERIFY(!run(TOILE_CMAKE, {"--build", in("example")}).isEmpty());
     const QByteArray said = run(in("example/mesher-example"), {});
-    QCOMPARE(said.count("sew node "), 12 + 36 + 1); // 0.24 m below the notch at 20 mm, 0.36 m above it at the shoulder's 10 mm
+    QCOMPARE(said.count("sew node "),
+             12 + 36 + 1); // 0.24 m below the notch at 20 mm, 0.36 m above it at the shoulder's 10 mm
     QVERIFY2(said.contains("Back: ") && said.contains("Front: "), said.constData());
 }
 
