@@ -344,9 +344,13 @@ private:
                 if (quad[at(i)] == p) return i;
             return -1;
         };
-        const auto holds = [&](GridPoint p) {
-            for (std::size_t i = 0; i < 4; ++i)
-                if (orientation(quad[i], quad[(i + 1) % 4], p) < 0) return false;
+        const auto holds = [&](GridPoint p) { // or on a side, which lies beside the nodes on it as its corners do
+            for (std::size_t i = 0; i < 4; ++i) {
+                const GridPoint from = quad[i], to = quad[(i + 1) % 4];
+                const std::int64_t length = std::max(std::abs(std::int64_t{to.x} - from.x), //
+                                                     std::abs(std::int64_t{to.y} - from.y));
+                if (orientation(from, to, p) < -sameNode * length) return false;
+            }
             return true;
         };
         const int ca = cornerAt(segment.a), cb = cornerAt(segment.b);
