@@ -58,6 +58,7 @@ private slots:
     void massIsDensityTimesArea();
     void mergingKeepsTheMass();
     void mergingMakesPairsOneParticle();
+    void fourPiecesThatMeetInAPointShareOneParticle();
     void aPinHoldsTheParticleAtItsVertex();
     void twoPinsOfOneMergedParticleAreOne();
     void aPinOfAnUnknownVertexIsNamed();
@@ -85,6 +86,26 @@ void tst_Garment::mergingMakesPairsOneParticle() {
     const auto& pairs = merged->mesh->seams[0].pairs;
     QCOMPARE(merged->particles.particleCount, open->particles.particleCount - static_cast<int>(pairs.size()));
     for (const auto& [a, b] : pairs) QCOMPARE(merged->particles.particle(a), merged->particles.particle(b));
+}
+
+void tst_Garment::fourPiecesThatMeetInAPointShareOneParticle() {
+    pattern::Pattern pattern;
+    pattern.fabrics = twoSquares().pattern.fabrics;
+    for (const char* id : {"low left", "low right", "top left", "top right"})
+        pattern.pieces.push_back(polygonPiece(id, {{0, 0}, {0.2, 0}, {0.2, 0.2}, {0, 0.2}}, 0.05));
+    pattern.seams = {seamBetween("low", "low left", "e1", "low right", "e3"),
+                     seamBetween("top", "top left", "e1", "top right", "e3"),
+                     seamBetween("left", "low left", "e2", "top left", "e0"),
+                     seamBetween("right", "low right", "e2", "top right", "e0")};
+    const auto garment = garmentOf(pattern, true);
+    QVERIFY(garment);
+    QCOMPARE(garment->particles.particleCount, 9 * 9); // one square of 8 × 8 cells
+    const auto cornerOf = [&](int piece, std::size_t vertex) {
+        return garment->particles.particle({piece, garment->mesh->pieces[piece].loops[0][vertex].front().node});
+    };
+    const int middle = cornerOf(0, 2);
+    QVERIFY(middle == cornerOf(1, 3) && middle == cornerOf(2, 1) && middle == cornerOf(3, 0));
+    QVERIFY(std::abs(garment->model.mass[middle] - pattern.fabrics[0]->arealDensity * 0.05 * 0.05) < 1e-15);
 }
 
 void tst_Garment::aPinHoldsTheParticleAtItsVertex() {
