@@ -5,6 +5,7 @@
 #include "ui/panels/PropertySheet.h"
 #include "ui/workbench/Workbench.h"
 
+#include <QSemaphore>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -72,6 +73,7 @@ private Q_SLOTS:
     void framesAreAskedForOnlyWhileSomethingHappens();
     void anotherDocumentBeginsAnew();
     void meshesOfTheNewestPatternArrive();
+    void anEditNeverWaitsForAMesh();
     void undoBringsTheValueBack();
     void savingAndOpeningGivesTheSameDocument();
     void modifiedMarkFollowsSaving();
@@ -173,6 +175,27 @@ void tst_Workbench::meshesOfTheNewestPatternArrive() {
     QTRY_COMPARE(bench.mesh().size(), std::size_t(22)); // of all twenty only the newest is shown
     QTest::qWait(20);
     QCOMPARE(bench.mesh().size(), std::size_t(22));
+}
+
+/// While a vertex is dragged, patterns that come during a meshing replace one another, and the pointer is never held
+/// up.
+void tst_Workbench::anEditNeverWaitsForAMesh() {
+    Fixture fixture;
+    QSemaphore mayGoOn;
+    WorkbenchParts parts = fixture.parts();
+    parts.mesh = [&mayGoOn, mesh = parts.mesh](const pattern::Pattern& pattern) {
+        mayGoOn.acquire();
+        return mesh(pattern);
+    };
+    Workbench bench(std::move(parts));
+    document::Document document = twoRectangles();
+    for (int i = 0; i < 20; ++i) // comes back although no mesh is ever finished
+        bench.apply({QStringLiteral("Draw"), document = withRectangle(document, "More", {0, double(i)}, 0.1, 0.1)});
+    QCOMPARE(bench.document().pattern.pieces.size(), std::size_t(22));
+    QCOMPARE(bench.mesh().size(), std::size_t(0));
+    mayGoOn.release(20);
+    QTRY_COMPARE(bench.mesh().size(), std::size_t(22));
+    QVERIFY(fixture.meshed <= 3); // the first, perhaps one taken meanwhile, the newest
 }
 
 void tst_Workbench::undoBringsTheValueBack() {
