@@ -60,8 +60,10 @@ struct Torso {
     Piece front, back;
 };
 
-Torso draftTorso(const body::Measurements& m, const Figures& f, const Fabric& fabric, const BlouseSettings& s) {
-    const UpperBlock block = draftUpperBlock(m, f, s.block);
+Result<Torso> draftTorso(const body::Measurements& m, const Figures& f, const Fabric& fabric, const BlouseSettings& s) {
+    const auto drafted = draftUpperBlock(m, f, s.block);
+    if (!drafted) return tl::unexpected(drafted.error());
+    const UpperBlock& block = *drafted;
     Torso torso{pieceNamed("front-left", "Front left", fabric, s.spacing),
                 pieceNamed("back", "Back", fabric, s.spacing)};
     torso.front.outline = halfContour("front-left", block.front);
@@ -87,14 +89,16 @@ SleeveSettings sleeveSettings(const body::Measurements& m, const BlouseSettings&
 }
 
 /// As long, down its middle, as is wanted once the cuff is sewn on.
-SleevePiece draftArm(const body::Measurements& m, const Torso& torso, const Fabric& fabric, const BlouseSettings& s) {
+Result<SleevePiece> draftArm(const body::Measurements& m, const Torso& torso, const Fabric& fabric,
+                             const BlouseSettings& s) {
     const NotchDistances at;
     const Armholes armholes{edgeLength(torso.front, edgeId("front-left", "armhole")),
                             edgeLength(torso.back, edgeId("back", "armhole-right")), at.front, at.back};
     SleeveSettings settings = sleeveSettings(m, s);
-    SleevePiece sleeve = draftSleevePiece(fabric, s.spacing, armholes, settings);
-    for (int pass = 0; pass < 3; ++pass) { // the taper moves the cap's height by less than a millimetre
-        settings.underarmLength += m.arm - s.aboveWrist - s.cuffWidth - (sleeve.draft.capHeight - sleeve.draft.bottomY);
+    auto sleeve = draftSleevePiece(fabric, s.spacing, armholes, settings);
+    for (int pass = 0; sleeve && pass < 3; ++pass) { // the taper moves the cap's height by less than a millimetre
+        settings.underarmLength +=
+            m.arm - s.aboveWrist - s.cuffWidth - (sleeve->draft.capHeight - sleeve->draft.bottomY);
         sleeve = draftSleevePiece(fabric, s.spacing, armholes, settings);
     }
     return sleeve;
@@ -134,11 +138,15 @@ body::Measurements blouseWearer() {
     return {.bust = 0.94, .underBust = 0.81, .waist = 0.76, .hip = 1.03, .biceps = 0.29, .thigh = 0.59};
 }
 
-document::Document blouse(const body::Measurements& m, const body::Body& body, const BlouseSettings& s) {
+Result<document::Document> blouse(const body::Measurements& m, const body::Body& body, const BlouseSettings& s) {
     const Fabric fabric = material::poplin();
     const SleeveSettings sleeveDraft = sleeveSettings(m, s);
-    Torso torso = draftTorso(m, figuresOf(m, body.landmarks), fabric, s);
-    SleevePiece sleeve = draftArm(m, torso, fabric, s);
+    auto drafted = draftTorso(m, figuresOf(m, body.landmarks), fabric, s);
+    if (!drafted) return tl::unexpected(drafted.error());
+    Torso& torso = *drafted;
+    auto arm = draftArm(m, torso, fabric, s);
+    if (!arm) return tl::unexpected(arm.error());
+    SleevePiece& sleeve = *arm;
     Piece cuff = draftCuff(m, fabric, s);
 
     const double height = body.landmarks.neckLeft.y + 0.03; // drawn together above the shoulders, they sink on them

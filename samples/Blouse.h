@@ -41,7 +41,8 @@ struct BlouseSettings {
 };
 
 /// Pieces: front-left, front-right, back, sleeve-left, sleeve-right, cuff-left, cuff-right.
-[[nodiscard]] document::Document blouse(const body::Measurements& measurements, const body::Body& body,
-                                        const BlouseSettings& settings = {});
+/// Error: a measure that no value settles.
+[[nodiscard]] Result<document::Document> blouse(const body::Measurements& measurements, const body::Body& body,
+                                                const BlouseSettings& settings = {});
 
 } // namespace toile::samples

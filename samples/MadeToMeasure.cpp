@@ -33,8 +33,9 @@ BlouseSettings longSleeved() {
 Result<document::Document> blouseMadeToMeasure(const body::Body& body, const BlouseSettings& settings) {
     const auto measured = body::measurementsOf(body);
     if (!measured) return tl::unexpected(measured.error());
-    document::Document document = blouse(*measured, body, settings);
-    document.pattern = pattern::laidOut(rolledRoundTheArms(std::move(document.pattern), body));
+    auto document = blouse(*measured, body, settings);
+    if (!document) return document;
+    document->pattern = pattern::laidOut(rolledRoundTheArms(std::move(document->pattern), body));
     return document;
 }
 

@@ -79,9 +79,18 @@ Vec2 vertexPosition(const Piece& piece, const VertexId& vertex) {
     return found->position;
 }
 
-double rootOf(const std::function<double(double)>& function, double low, double high) {
-    const bool rising = function(low) < 0;
-    expects(rising != (function(high) < 0), "the function changes its sign");
+double Solver::rootOf(const std::string& measure, const std::function<double(double)>& function, double low,
+                      double high) {
+    const double atLow = function(low), atHigh = function(high);
+    const bool rising = atLow < 0;
+    if (!std::isfinite(atLow) || !std::isfinite(atHigh) || rising == (atHigh < 0)) {
+        if (!error_)
+            error_ = Error{ErrorCode::invalidInput,
+                           "The draft finds no " + measure +
+                               " that fits these measures: they do not go together, or the eases are too large.",
+                           {}};
+        return std::abs(atLow) < std::abs(atHigh) ? low : high;
+    }
     for (int i = 0; i < 60; ++i) {
         const double middle = (low + high) / 2;
         ((function(middle) < 0) == rising ? low : high) = middle;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Result.h"
 #include "core/pattern/Pattern.h"
 
 #include <functional>
+#include <optional>
+#include <string>
 
 namespace toile::samples {
 
@@ -21,7 +24,18 @@ namespace toile::samples {
 
 [[nodiscard]] Vec2 vertexPosition(const pattern::Piece& piece, const pattern::VertexId& vertex);
 
-/// Where a function that changes its sign once between low and high is zero, to the last bits (bisection).
-[[nodiscard]] double rootOf(const std::function<double(double)>& function, double low, double high);
+/// Settles the free measures of a draft. Not every body has a solution: the first measure without one is remembered,
+/// its nearer end is taken, and whoever drafts asks `error` before the draft is given away.
+class Solver {
+public:
+    /// Where a function that changes its sign once between low and high is zero, to the last bits (bisection).
+    [[nodiscard]] double rootOf(const std::string& measure, const std::function<double(double)>& function, double low,
+                                double high);
+    /// Names the measure that has no solution.
+    [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+
+private:
+    std::optional<Error> error_;
+};
 
 } // namespace toile::samples

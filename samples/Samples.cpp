@@ -18,14 +18,18 @@ Result<Wearers> sampleWearers() {
     return Wearers{std::move(*usual), std::move(*fuller)};
 }
 
-std::vector<NamedDocument> sampleDocuments(const Wearers& wearers) {
+Result<std::vector<NamedDocument>> sampleDocuments(const Wearers& wearers) {
     const body::Measurements& m = wearers.usual.measurements;
     const body::Body& body = wearers.usual.body;
+    auto upper = blouse(wearers.fuller.measurements, wearers.fuller.body), shirt = tShirt(m, body),
+         legs = trousers(m, body);
+    for (const auto* drafted : {&upper, &shirt, &legs})
+        if (!*drafted) return tl::unexpected(drafted->error());
     std::vector<NamedDocument> samples{
-        {"blouse", blouse(wearers.fuller.measurements, wearers.fuller.body)},
-        {"t-shirt", tShirt(m, body)},
+        {"blouse", std::move(*upper)},
+        {"t-shirt", std::move(*shirt)},
         {"circle-skirt", circleSkirt(m, body)},
-        {"trousers", trousers(m, body)},
+        {"trousers", std::move(*legs)},
         {"sheet-two-corners", squareSheet(SheetPins::twoCorners)},
         {"sheet-one-edge", squareSheet(SheetPins::oneEdge)},
         {"tablecloth", tablecloth()},

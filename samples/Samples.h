@@ -29,7 +29,7 @@ struct Wearers {
 [[nodiscard]] Result<Wearers> sampleWearers();
 
 /// Every sample of ours.
-[[nodiscard]] std::vector<NamedDocument> sampleDocuments(const Wearers& wearers);
+[[nodiscard]] Result<std::vector<NamedDocument>> sampleDocuments(const Wearers& wearers);
 /// The bodies the documents name: mannequins, table, cylinder.
 [[nodiscard]] std::vector<NamedBody> sampleBodies(const Wearers& wearers);
 

@@ -16,13 +16,14 @@ struct Tube {
     double bottomY = 0;
 };
 
-Tube tubeOf(const SleeveSettings& s) {
+Tube tubeOf(const SleeveSettings& s, Solver& solver) {
     const auto atTaper = [&](double taper) {
         const double halfTop = s.width / 2 + s.bicepsBelow * std::tan(taper);
         return Tube{taper, halfTop, halfTop - s.underarmLength * std::sin(taper), -s.underarmLength * std::cos(taper)};
     };
     const auto bottomLength = [](const Tube& tube) { return 2 * tube.halfBottom * tube.taper / std::sin(tube.taper); };
-    return atTaper(rootOf([&](double taper) { return bottomLength(atTaper(taper)) - s.bottom; }, 1e-6, 0.5));
+    return atTaper(solver.rootOf(
+        "taper of the sleeve", [&](double taper) { return bottomLength(atTaper(taper)) - s.bottom; }, 1e-6, 0.5));
 }
 
 /// Half a cap from the underarm at (x, 0) to its top, drawn on +x. Square to the seam below, level on top.
@@ -36,8 +37,9 @@ constexpr double hollowBack = 0.45, hollowFront = 0.55; // the front is cut deep
 
 } // namespace
 
-Sleeve draftSleeve(const Armholes& armholes, const SleeveSettings& s) {
-    const Tube tube = tubeOf(s);
+Result<Sleeve> draftSleeve(const Armholes& armholes, const SleeveSettings& s) {
+    Solver solver;
+    const Tube tube = tubeOf(s, solver);
     const double half = tube.halfTop;
     const auto backCap = [&](Vec2 top) { return halfCap(half, tube.taper, top, hollowBack); };
     const auto frontCap = [&](Vec2 top) {
@@ -45,7 +47,8 @@ Sleeve draftSleeve(const Armholes& armholes, const SleeveSettings& s) {
     };
     // The height gives the cap's whole length, the place of its top shares it between front and back.
     const auto topAt = [&](double height) {
-        const double x = rootOf(
+        const double x = solver.rootOf(
+            "top of the sleeve's cap",
             [&](double offset) {
                 return geometry::length(frontCap({offset, height})) - (armholes.front + s.frontEase) -
                        (geometry::length(backCap({offset, height})) - (armholes.back + s.backEase));
@@ -53,9 +56,11 @@ Sleeve draftSleeve(const Armholes& armholes, const SleeveSettings& s) {
             -0.6 * half, 0.6 * half);
         return Vec2{x, height};
     };
-    const double height = rootOf(
+    const double height = solver.rootOf(
+        "height of the sleeve's cap",
         [&](double h) { return geometry::length(backCap(topAt(h))) - (armholes.back + s.backEase); }, 0.02, 0.25);
     const Vec2 top = topAt(height);
+    if (solver.error()) return tl::unexpected(*solver.error());
 
     const Vec2 bottomFront{-tube.halfBottom, tube.bottomY}, bottomBack{tube.halfBottom, tube.bottomY};
     Sleeve sleeve;

@@ -30,6 +30,7 @@ struct Sleeve {
     double capWidth = 0;                  ///< at its base [m]
 };
 
-[[nodiscard]] Sleeve draftSleeve(const Armholes& armholes, const SleeveSettings& settings);
+/// Error: a measure that no value settles.
+[[nodiscard]] Result<Sleeve> draftSleeve(const Armholes& armholes, const SleeveSettings& settings);
 
 } // namespace toile::samples

@@ -19,8 +19,11 @@ struct Torso {
     Piece front, back;
 };
 
-Torso draftTorso(const body::Measurements& m, const body::Body& body, const Fabric& fabric, const TShirtSettings& s) {
-    const UpperBlock block = draftUpperBlock(m, figuresOf(m, body.landmarks), s.block);
+Result<Torso> draftTorso(const body::Measurements& m, const body::Body& body, const Fabric& fabric,
+                         const TShirtSettings& s) {
+    const auto drafted = draftUpperBlock(m, figuresOf(m, body.landmarks), s.block);
+    if (!drafted) return tl::unexpected(drafted.error());
+    const UpperBlock& block = *drafted;
     Torso torso{pieceNamed("front", "Front", fabric, s.spacing), pieceNamed("back", "Back", fabric, s.spacing)};
     torso.front.outline = contourOf("front", wholeFromHalf(block.front, "neck-centre", "-left", "-right"));
     torso.back.outline = contourOf("back", wholeFromHalf(block.back, "neck-centre", "-right", "-left"));
@@ -60,9 +63,11 @@ std::vector<Side> wholeNeckline(const Torso& torso) {
 
 } // namespace
 
-document::Document tShirt(const body::Measurements& m, const body::Body& body, const TShirtSettings& s) {
+Result<document::Document> tShirt(const body::Measurements& m, const body::Body& body, const TShirtSettings& s) {
     const Fabric jersey = material::jersey(), rib = material::rib();
-    const Torso torso = draftTorso(m, body, jersey, s);
+    const auto drafted = draftTorso(m, body, jersey, s);
+    if (!drafted) return tl::unexpected(drafted.error());
+    const Torso& torso = *drafted;
     const NotchDistances at;
     const Armholes armholes{edgeLength(torso.front, edgeId("front", "armhole-left")),
                             edgeLength(torso.back, edgeId("back", "armhole-left")), at.front, at.back};
@@ -71,7 +76,9 @@ document::Document tShirt(const body::Measurements& m, const body::Body& body, c
                                   .underarmLength = s.sleeveLength,
                                   .frontEase = s.frontCapEase,
                                   .backEase = s.backCapEase};
-    SleevePiece sleeve = draftSleevePiece(jersey, s.spacing, armholes, settings);
+    auto arm = draftSleevePiece(jersey, s.spacing, armholes, settings);
+    if (!arm) return tl::unexpected(arm.error());
+    SleevePiece& sleeve = *arm;
     placeSleeve(sleeve, body);
     const Piece right = mirrorPiece("sleeve-right", "Sleeve right", sleeve.piece);
     const double neckline = necklineLength(torso), bandLength = s.bandRatio * neckline;

@@ -28,7 +28,8 @@ struct TShirtSettings {
 };
 
 /// Pieces: front, back, sleeve-left, sleeve-right, neckband.
-[[nodiscard]] document::Document tShirt(const body::Measurements& measurements, const body::Body& body,
-                                        const TShirtSettings& settings = {});
+/// Error: a measure that no value settles.
+[[nodiscard]] Result<document::Document> tShirt(const body::Measurements& measurements, const body::Body& body,
+                                                const TShirtSettings& settings = {});
 
 } // namespace toile::samples

@@ -91,7 +91,7 @@ Heights heightsOf(const body::Measurements& m, const body::Landmarks& at, const 
 
 /// The free measures settle one after the other: the crotch's width by the thigh, the back's crotch point by the
 /// inseams, the sides' slant by the waist, the back's side height by the side seams. Each hardly moves the others.
-Legs draftLegs(const body::Measurements& m, const body::Landmarks& at, const TrousersSettings& s) {
+Result<Legs> draftLegs(const body::Measurements& m, const body::Landmarks& at, const TrousersSettings& s) {
     const Heights y = heightsOf(m, at, s);
     const double quarter = (m.hip + s.hipEase) / 4, thighY = trouserLevels(m, at, s).thigh;
     LegPanel front{.hip = quarter - 0.010,
@@ -112,8 +112,10 @@ Legs draftLegs(const body::Measurements& m, const body::Landmarks& at, const Tro
                   .centreIn = 0.030,
                   .centreRise = 0.026,
                   .sideCurve = s.sideCurve};
-    const auto solve = [](double& free, double low, double high, const auto& error) {
-        free = rootOf(
+    Solver solver;
+    const auto solve = [&](const char* measure, double& free, double low, double high, const auto& error) {
+        free = solver.rootOf(
+            measure,
             [&](double value) {
                 free = value;
                 return error();
@@ -122,31 +124,32 @@ Legs draftLegs(const body::Measurements& m, const body::Landmarks& at, const Tro
     };
     double extension = 0;
     for (int round = 0; round < 5; ++round) {
-        solve(extension, 0.05, 0.30, [&] {
+        solve("width of the crotch", extension, 0.05, 0.30, [&] {
             front.extension = 0.35 * extension;
             back.extension = 0.65 * extension;
             return width(draft(front, y), thighY) + width(draft(back, y), thighY) - (m.thigh + s.thighEase);
         });
         front.extension = 0.35 * extension;
         back.extension = 0.65 * extension;
-        solve(back.crotchDrop, -0.02, 0.06, [&] {
+        solve("depth of the back's crotch", back.crotchDrop, -0.02, 0.06, [&] {
             return lengthOf(draft(front, y), {"inseam-thigh", "inseam-low"}) -
                    lengthOf(draft(back, y), {"inseam-thigh", "inseam-low"});
         });
         double sideIn = 0;
-        solve(sideIn, -0.02, 0.07, [&] {
+        solve("slant of the sides", sideIn, -0.02, 0.07, [&] {
             front.sideIn = back.sideIn = sideIn;
             return 2 * (lengthOf(draft(front, y), {"waist-side", "waist-centre"}) +
                         lengthOf(draft(back, y), {"waist-side", "waist-centre"})) -
                    (m.waist + s.waistEase);
         });
         front.sideIn = back.sideIn = sideIn;
-        solve(back.sideRise, -0.03, 0.03, [&] {
+        solve("height of the back's side", back.sideRise, -0.03, 0.03, [&] {
             const auto side = {"side-low", "side-thigh", "side-hip"};
             return lengthOf(draft(back, y), side) - lengthOf(draft(front, y), side);
         });
     }
-    return {draft(front, y), draft(back, y), (front.hip + front.extension) / 2, (back.hip + back.extension) / 2};
+    if (solver.error()) return tl::unexpected(*solver.error());
+    return Legs{draft(front, y), draft(back, y), (front.hip + front.extension) / 2, (back.hip + back.extension) / 2};
 }
 
 /// Before or behind its leg, the crotch point just beside the middle, so that the inseam closes between the legs.
@@ -190,9 +193,11 @@ TrouserLevels trouserLevels(const body::Measurements& m, const body::Landmarks& 
     return {at.hip.y - at.waist.y, at.crotch.y - s.crotchEase - 0.03 - at.waist.y, 0.595 * m.insideLeg - at.waist.y};
 }
 
-document::Document trousers(const body::Measurements& m, const body::Body& body, const TrousersSettings& s) {
+Result<document::Document> trousers(const body::Measurements& m, const body::Body& body, const TrousersSettings& s) {
     const Fabric fabric = material::twill(), stiff = interlined(fabric);
-    const Legs legs = draftLegs(m, body.landmarks, s);
+    const auto drafted = draftLegs(m, body.landmarks, s);
+    if (!drafted) return tl::unexpected(drafted.error());
+    const Legs& legs = *drafted;
     Piece frontLeft = pieceNamed("front-left", "Front left", fabric, s.spacing);
     frontLeft.outline = contourOf("front-left", legs.front);
     frontLeft.placement = placedLeg(frontLeft, body, false, legs.frontHalf);

@@ -29,7 +29,8 @@ struct TrouserLevels {
                                           const TrousersSettings& settings = {});
 
 /// Pieces: front-left, front-right, back-left, back-right, waistband.
-[[nodiscard]] document::Document trousers(const body::Measurements& measurements, const body::Body& body,
-                                          const TrousersSettings& settings = {});
+/// Error: a measure that no value settles.
+[[nodiscard]] Result<document::Document> trousers(const body::Measurements& measurements, const body::Body& body,
+                                                  const TrousersSettings& settings = {});
 
 } // namespace toile::samples

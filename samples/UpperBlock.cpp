@@ -35,6 +35,7 @@ struct Frame {
     Vec2 neckSide;
     double shoulderLength = 0, slope = 0;
     SideShape side;
+    Solver* solver = nullptr;
 
     [[nodiscard]] Vec2 alongShoulder() const { return {std::cos(slope), -std::sin(slope)}; }
     [[nodiscard]] Vec2 downFromShoulder() const { return {-std::sin(slope), -std::cos(slope)}; }
@@ -50,10 +51,11 @@ Stroke armhole(const Frame& frame, Vec2 underarm, Vec2 sideDirection, double acr
     };
     const auto excess = [&](double high) {
         const geometry::Curve curve = withHandle(high).curve;
-        const double t = rootOf([&](double s) { return pointAt(curve, s).y - level; }, 0, 1);
+        const double t = frame.solver->rootOf(
+            "middle of the armhole", [&](double s) { return pointAt(curve, s).y - level; }, 0, 1);
         return pointAt(curve, t).x - across;
     };
-    return withHandle(rootOf(excess, 0.0, 0.9 * (tip.y - underarm.y)));
+    return withHandle(frame.solver->rootOf("curve of the armhole", excess, 0.0, 0.9 * (tip.y - underarm.y)));
 }
 
 Stroke neckline(const Frame& frame, const Half& half) {
@@ -112,13 +114,15 @@ pattern::Contour halfContour(const std::string& piece, std::vector<Stroke> half)
     return contourOf(piece, half);
 }
 
-UpperBlock draftUpperBlock(const body::Measurements& m, const Figures& f, const UpperBlockSettings& s) {
+Result<UpperBlock> draftUpperBlock(const body::Measurements& m, const Figures& f, const UpperBlockSettings& s) {
     // The seam lies a little above the shoulder: one degree less slope keeps its tip from pulling.
     const double slope = f.shoulderSlope - 0.02;
+    Solver solver;
     Frame frame{{f.neckHalfWidth + s.neckGap, -s.neckGap * std::tan(slope)},
                 f.shoulderLength - s.neckGap / std::cos(slope),
                 slope,
-                {}};
+                {},
+                &solver};
     const double backUnderarm = -(f.backNeckDepth + s.armholeDepth);
     const double backWaist = f.backWaist - s.backShortening;
     const double sideTop = backWaist + backUnderarm;
@@ -143,7 +147,8 @@ UpperBlock draftUpperBlock(const body::Measurements& m, const Figures& f, const 
     const double quarter = (m.bust + s.bustEase) / 4;
     const auto bustWidth = [&](const Half& half, double y) { return halfWidth(draftHalf(frame, half), y); };
     front = withUnderarm(front, frame, s.dartIntake,
-                         rootOf(
+                         solver.rootOf(
+                             "width of the front",
                              [&](double x) {
                                  return bustWidth(withUnderarm(front, frame, s.dartIntake, x), bustY) -
                                         (quarter + s.frontMore);
@@ -153,13 +158,15 @@ UpperBlock draftUpperBlock(const body::Measurements& m, const Figures& f, const 
     UpperLevels levels;
     levels.bustFront = bustY;
     levels.bustBack = backUnderarm - (underarmOf(draftHalf(frame, front)).y - bustY);
-    back.underarmX = rootOf(
+    back.underarmX = solver.rootOf(
+        "width of the back",
         [&](double x) { return bustWidth(withUnderarm(back, frame, 0, x), levels.bustBack) - (quarter - s.frontMore); },
         quarter - 0.03, quarter + 0.05);
 
     levels.hipFront = front.waistY - f.waistToHip;
     levels.hipBack = back.waistY - f.waistToHip;
-    frame.side.hem.x = rootOf(
+    frame.side.hem.x = solver.rootOf(
+        "width of the hem",
         [&](double x) {
             Frame trial = frame;
             trial.side.hem.x = x;
@@ -171,7 +178,9 @@ UpperBlock draftUpperBlock(const body::Measurements& m, const Figures& f, const 
 
     levels.acrossFront = (underarmOf(draftHalf(frame, front)).y + frame.shoulderTip().y) / 2;
     levels.acrossBack = (backUnderarm + frame.shoulderTip().y) / 2;
-    return {draftHalf(frame, front), draftHalf(frame, back), levels};
+    UpperBlock block{draftHalf(frame, front), draftHalf(frame, back), levels};
+    if (solver.error()) return tl::unexpected(*solver.error());
+    return block;
 }
 
 } // namespace toile::samples

@@ -40,8 +40,9 @@ struct UpperBlock {
     UpperLevels levels;
 };
 
-[[nodiscard]] UpperBlock draftUpperBlock(const body::Measurements& measurements, const Figures& figures,
-                                         const UpperBlockSettings& settings);
+/// Error: a measure that no value settles.
+[[nodiscard]] Result<UpperBlock> draftUpperBlock(const body::Measurements& measurements, const Figures& figures,
+                                                 const UpperBlockSettings& settings);
 
 /// The half as a piece of its own, closed along the centre.
 [[nodiscard]] pattern::Contour halfContour(const std::string& piece, std::vector<Stroke> half);

@@ -30,9 +30,11 @@ Notch armholeNotch(const Piece& piece, const std::string& edge, double fromUnder
     return {id, runsUp ? fraction : 1 - fraction, NotchKind::slit, isBack};
 }
 
-SleevePiece draftSleevePiece(const Fabric& fabric, double spacing, const Armholes& armholes,
-                             const SleeveSettings& settings) {
-    SleevePiece sleeve{pieceNamed("sleeve-left", "Sleeve left", fabric, spacing), draftSleeve(armholes, settings)};
+Result<SleevePiece> draftSleevePiece(const Fabric& fabric, double spacing, const Armholes& armholes,
+                                     const SleeveSettings& settings) {
+    auto draft = draftSleeve(armholes, settings);
+    if (!draft) return tl::unexpected(draft.error());
+    SleevePiece sleeve{pieceNamed("sleeve-left", "Sleeve left", fabric, spacing), std::move(*draft)};
     sleeve.piece.outline = contourOf("sleeve-left", sleeve.draft.strokes);
     sleeve.piece.notches = {{edgeId("sleeve-left", "cap-back"), sleeve.draft.backNotch, NotchKind::slit, true},
                             {edgeId("sleeve-left", "cap-front"), sleeve.draft.frontNotch, NotchKind::slit, false}};

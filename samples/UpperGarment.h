@@ -35,8 +35,8 @@ struct SleevePiece {
 };
 
 /// The left sleeve with its notches, not yet placed.
-[[nodiscard]] SleevePiece draftSleevePiece(const pattern::Fabric& fabric, double spacing, const Armholes& armholes,
-                                           const SleeveSettings& settings);
+[[nodiscard]] Result<SleevePiece> draftSleevePiece(const pattern::Fabric& fabric, double spacing,
+                                                   const Armholes& armholes, const SleeveSettings& settings);
 
 /// Wraps the left sleeve round the arm, as far up as the shoulder lets it. Returns how far down the arm line its bottom
 /// lies [m].

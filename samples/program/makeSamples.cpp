@@ -41,9 +41,11 @@ int main(int count, char** arguments) {
     const auto wearers = samples::sampleWearers();
     if (!wearers) return failed(wearers.error());
 
+    const auto documents = samples::sampleDocuments(*wearers);
+    if (!documents) return failed(documents.error());
     std::error_code created;
     std::filesystem::create_directories(folder / "bodies", created);
-    for (const samples::NamedDocument& sample : samples::sampleDocuments(*wearers))
+    for (const samples::NamedDocument& sample : *documents)
         if (const auto written = io::writeToile(sample.document, (folder / (sample.name + ".toile")).string());
             !written)
             return failed(written.error());

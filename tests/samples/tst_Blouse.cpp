@@ -18,8 +18,8 @@ struct Sample {
     body::Body body = makeMannequin(measurements)->body;
     Figures figures = figuresOf(measurements, body.landmarks);
     BlouseSettings settings;
-    UpperLevels levels = draftUpperBlock(measurements, figures, settings.block).levels;
-    Pattern pattern = blouse(measurements, body, settings).pattern;
+    UpperLevels levels = draftUpperBlock(measurements, figures, settings.block).value().levels;
+    Pattern pattern = blouse(measurements, body, settings).value().pattern;
 
     [[nodiscard]] const Piece& piece(const char* id) const { return *findPiece(pattern, PieceId{id}); }
     [[nodiscard]] double angle(const char* id, const char* corner) const {
@@ -48,6 +48,7 @@ private slots:
     void rightPiecesStartAsMirrorImages();
     void rightSidesFaceOutward();
     void piecesStartClearOfTheBody();
+    void measuresThatDoNotGoTogetherAreNamed();
 };
 
 void tst_Blouse::wearingEaseIsAsAsked() {
@@ -162,6 +163,22 @@ void tst_Blouse::piecesStartClearOfTheBody() {
     for (const auto& [id, clearance] :
          {std::pair{"front-left", 0.019}, {"back", 0.019}, {"sleeve-left", 0.007}, {"cuff-left", 0.007}})
         QVERIFY2(clearanceOf(s.piece(id), *s.piece(id).placement, s.body) > clearance, id);
+}
+
+void tst_Blouse::measuresThatDoNotGoTogetherAreNamed() {
+    const Sample& s = sample();
+    const auto sentence = [&](const body::Measurements& measurements, const BlouseSettings& settings) {
+        const auto drafted = blouse(measurements, s.body, settings);
+        return drafted ? std::string() : drafted.error().text;
+    };
+    BlouseSettings wideCuff = s.settings; // wider than the sleeve that narrows towards it
+    wideCuff.cuffEase = 0.5;
+    const std::string taper = sentence(s.measurements, wideCuff);
+    QVERIFY2(taper.find("The draft finds no taper of the sleeve") == 0, taper.c_str());
+    body::Measurements broad = s.measurements; // a hip twice the bust
+    broad.hip = 2 * broad.bust;
+    const std::string hem = sentence(broad, s.settings);
+    QVERIFY2(hem.find("The draft finds no width of the hem") == 0, hem.c_str());
 }
 
 QTEST_APPLESS_MAIN(tst_Blouse)

@@ -31,7 +31,7 @@ const body::Mannequin& woman() {
 }
 
 const std::vector<NamedDocument>& samplesOfOurs() {
-    static const std::vector<NamedDocument> samples = sampleDocuments(wearers());
+    static const std::vector<NamedDocument> samples = sampleDocuments(wearers()).value();
     return samples;
 }
 
@@ -137,7 +137,7 @@ void tst_Garments::mirrorPiecesStartAsMirrorImages() {
 void tst_Garments::tShirtHasItsEaseAndItsNeckband() {
     const body::Measurements m;
     const TShirtSettings settings;
-    const UpperLevels levels = draftUpperBlock(m, figuresOf(m, woman().body.landmarks), settings.block).levels;
+    const UpperLevels levels = draftUpperBlock(m, figuresOf(m, woman().body.landmarks), settings.block).value().levels;
     const Piece &front = piece(patternOf("t-shirt"), "front"), &back = piece(patternOf("t-shirt"), "back");
     const double chest = widthAt(front, levels.bustFront) + widthAt(back, levels.bustBack);
     QVERIFY(std::abs(chest - m.bust - 0.060) < micrometre);

@@ -23,7 +23,7 @@ inline const body::Mannequin& blouseWearer() {
 }
 
 inline pattern::Pattern blouseAt(double spacing) {
-    return samples::blouse(blouseWearer().measurements, blouseWearer().body, {.spacing = spacing}).pattern;
+    return samples::blouse(blouseWearer().measurements, blouseWearer().body, {.spacing = spacing}).value().pattern;
 }
 
 inline Scene onBlouseWearer(pattern::Pattern pattern) {

@@ -105,7 +105,8 @@ void tst_RealBodies::init() {
 /// toile-cli sew samples/blouse.toile --avatar mh_female_bust98.glb --until-rest
 void tst_RealBodies::theBlouseOfTheMannequinIsWornOnAnotherBody() {
     const body::Body body = woman();
-    const document::Document blouse = throughAFile(samples::blouse(blouseWearer().measurements, blouseWearer().body));
+    const document::Document blouse =
+        throughAFile(samples::blouse(blouseWearer().measurements, blouseWearer().body).value());
     verifyIsWorn(sewnToRest(body, arrangedOn(blouse.pattern, blouseWearer().body, body), blouse.scene));
 }
 
@@ -115,7 +116,8 @@ void tst_RealBodies::sleevesOnBentArmsFoldAlike() {
     const body::Body body = woman();
     samples::BlouseSettings easy{.bicepsEase = 0.07};
     easy.block.bustEase = easy.block.hipEase = 0.12;
-    const document::Document blouse = throughAFile(samples::blouse(mannequin().measurements, mannequin().body, easy));
+    const document::Document blouse =
+        throughAFile(samples::blouse(mannequin().measurements, mannequin().body, easy).value());
     auto simulation = Simulation::create(
         {arrangedOn(blouse.pattern, mannequin().body, body), Shared<body::Body>(body), blouse.scene});
     QVERIFY(simulation);
