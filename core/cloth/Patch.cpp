@@ -2,11 +2,11 @@
 #include "core/cloth/Patch.h"
 
 #include "core/base/Contracts.h"
+#include "core/cloth/NodeIndex.h"
 #include "core/cloth/PatchBending.h"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <map>
 #include <optional>
 
 namespace toile::cloth {
@@ -61,11 +61,14 @@ CellSprings cellSprings(const MembraneStiffness& c, double a, double b) {
 /// Springs between nodes of a patch; those of neighbouring cells become one.
 class SpringCollector {
 public:
+    explicit SpringCollector(std::size_t expected) : byNodes_(expected) { springs_.reserve(expected); }
+
     void add(int a, int b, double restLength, double stiffness) {
         if (stiffness == 0) return;
-        const auto [it, isNew] = byNodes_.try_emplace(std::minmax(a, b), static_cast<int>(springs_.size()));
-        if (isNew) springs_.push_back({a, b, restLength, stiffness});
-        else springs_[it->second].stiffness += stiffness;
+        const int next = static_cast<int>(springs_.size());
+        const int index = byNodes_.findOrAdd({std::min(a, b), std::max(a, b)}, next);
+        if (index == next) springs_.push_back({a, b, restLength, stiffness});
+        else springs_[index].stiffness += stiffness;
     }
     void writeTo(std::vector<Spring>& out, std::span<const int> particles) const {
         for (Spring spring : springs_) {
@@ -77,7 +80,7 @@ public:
 
 private:
     std::vector<Spring> springs_;
-    std::map<std::pair<int, int>, int> byNodes_;
+    NodeIndex<2> byNodes_;
 };
 
 class PatchBuilder {
@@ -143,7 +146,8 @@ private:
 
     Result<void> appendSprings() {
         Constants constants(fabric_, true);
-        SpringCollector sides, diagonals;
+        const std::size_t cells = patch_.rectangles.size();
+        SpringCollector sides(2 * cells + 16), diagonals(2 * cells);
         for (const PatchRectangle& cell : patch_.rectangles) {
             auto c = constants.of(cell.factors);
             if (!c) return tl::unexpected(c.error());

@@ -2,16 +2,18 @@
 #include "core/cloth/PatchBending.h"
 
 #include "core/base/Contracts.h"
+#include "core/cloth/NodeIndex.h"
 #include "core/cloth/PatchEdges.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <span>
+#include <utility>
 
 namespace toile::cloth {
 namespace {
 
-/// Σ coefficient·x over nodes of a patch.
+/// Σ coefficient·x over nodes of a patch, which rise.
 class Combination {
 public:
     Combination() = default;
@@ -19,45 +21,56 @@ public:
 
     void add(int node, double coefficient) {
         if (coefficient == 0) return;
-        const auto it = std::ranges::find(terms_, node, &Term::first);
-        if (it != terms_.end()) it->second += coefficient;
-        else terms_.emplace_back(node, coefficient);
+        std::size_t place = 0;
+        while (place < count_ && terms_[place].first < node) ++place;
+        if (place < count_ && terms_[place].first == node) {
+            terms_[place].second += coefficient;
+            return;
+        }
+        expects(count_ < terms_.size(), "a combination has few places");
+        for (std::size_t i = count_++; i > place; --i) terms_[i] = terms_[i - 1];
+        terms_[place] = {node, coefficient};
     }
     void add(const Combination& other, double factor) {
-        for (const auto& [node, coefficient] : other.terms_) add(node, factor * coefficient);
+        for (const auto& [node, coefficient] : other.terms()) add(node, factor * coefficient);
     }
 
     using Term = std::pair<int, double>;
-    [[nodiscard]] const std::vector<Term>& terms() const { return terms_; }
+    [[nodiscard]] std::span<const Term> terms() const { return {terms_.data(), count_}; }
 
 private:
-    std::vector<Term> terms_;
+    std::array<Term, 6> terms_; ///< a node and a blend of two on either side are five
+    std::size_t count_ = 0;
 };
 
 /// Collects stencils of nodes; equal ones become one. Written out as stencils of particles.
 class StencilCollector {
 public:
+    explicit StencilCollector(std::size_t expected) : byNodes_(expected) { collected_.reserve(expected); }
+
     void add(const Combination& combination, double stiffness) {
-        auto terms = combination.terms();
-        if (stiffness <= 0 || terms.empty()) return;
-        expects(terms.size() <= 4, "a stencil has at most four places");
-        std::ranges::sort(terms);
+        if (stiffness <= 0 || combination.terms().empty()) return;
+        expects(combination.terms().size() <= 4, "a stencil has at most four places");
         std::array<int, 4> key{-1, -1, -1, -1};
-        for (std::size_t i = 0; i < terms.size(); ++i) key[i] = terms[i].first;
-        for (int index : byNodes_[key])
-            if (sameCoefficients(collected_[index].terms, terms)) {
-                collected_[index].stiffness += stiffness;
-                return;
-            }
-        byNodes_[key].push_back(static_cast<int>(collected_.size()));
-        collected_.push_back({std::move(terms), stiffness});
+        for (std::size_t i = 0; i < combination.terms().size(); ++i) key[i] = combination.terms()[i].first;
+        const int next = static_cast<int>(collected_.size()), first = byNodes_.findOrAdd(key, next);
+        if (first != next) {
+            for (int index = first; index >= 0; index = collected_[index].nextOfNodes)
+                if (sameCoefficients(collected_[index].combination, combination)) {
+                    collected_[index].stiffness += stiffness;
+                    return;
+                }
+            collected_.push_back({combination, stiffness, std::exchange(collected_[first].nextOfNodes, next)});
+            return;
+        }
+        collected_.push_back({combination, stiffness, -1});
     }
 
     void writeTo(std::vector<Stencil>& stencils, std::span<const int> particles) const {
         for (const Collected& collected : collected_) {
             Stencil stencil{.stiffness = collected.stiffness};
             int used = 0;
-            for (const auto& [node, coefficient] : collected.terms) {
+            for (const auto& [node, coefficient] : collected.combination.terms()) {
                 const auto end = stencil.particles.begin() + used;
                 const auto it = std::find(stencil.particles.begin(), end, particles[node]);
                 if (it == end) stencil.particles[used++] = particles[node];
@@ -68,25 +81,26 @@ public:
     }
 
 private:
-    using Terms = std::vector<Combination::Term>;
     struct Collected {
-        Terms terms;
+        Combination combination;
         double stiffness;
+        int nextOfNodes; ///< another stencil of the same nodes; −1 = none
     };
 
-    static bool sameCoefficients(const Terms& a, const Terms& b) {
-        return std::ranges::equal(a, b, [](const auto& p, const auto& q) {
+    static bool sameCoefficients(const Combination& a, const Combination& b) {
+        return std::ranges::equal(a.terms(), b.terms(), [](const auto& p, const auto& q) {
             return p.first == q.first && std::abs(p.second - q.second) <= 1e-9 * std::abs(p.second);
         });
     }
 
     std::vector<Collected> collected_;
-    std::map<std::array<int, 4>, std::vector<int>> byNodes_;
+    NodeIndex<4> byNodes_;
 };
 
 class BendingBuilder {
 public:
-    BendingBuilder(const Patch& patch, const material::Fabric& fabric) : patch_(patch), fabric_(fabric) {}
+    BendingBuilder(const Patch& patch, const material::Fabric& fabric)
+        : patch_(patch), fabric_(fabric), stencils_(2 * patch.rectangles.size() + 6 * patch.triangles.size()) {}
 
     void appendTo(ClothModel& model) {
         for (const PatchEdge& edge : edgesOf(patch_)) {
@@ -180,7 +194,7 @@ private:
 bool appendTwist(ClothModel& model, const Patch& patch, const material::Fabric& fabric) {
     const double constant = 4 * fabric.biasBending - fabric.warpBending - fabric.weftBending;
     if (constant <= 0) return constant < 0;
-    StencilCollector stencils;
+    StencilCollector stencils(patch.rectangles.size());
     for (const PatchRectangle& cell : patch.rectangles) {
         const Vec2 sides = patch.material[cell.nodes[2]] - patch.material[cell.nodes[0]];
         Combination twist;

@@ -2,6 +2,7 @@
 #include "core/cloth/PatchEdges.h"
 
 #include "core/base/Contracts.h"
+#include "core/cloth/NodeIndex.h"
 
 #include <algorithm>
 #include <map>
@@ -68,15 +69,16 @@ private:
 
 class EdgeCollector {
 public:
-    explicit EdgeCollector(std::size_t expected) { edges_.reserve(expected); }
+    explicit EdgeCollector(std::size_t expected) : byNodes_(expected) { edges_.reserve(expected); }
 
     void add(int a, int b, const EdgeSide& side) {
-        const auto [it, isNew] = byNodes_.try_emplace(std::minmax(a, b), static_cast<int>(edges_.size()));
-        if (isNew) {
+        const int next = static_cast<int>(edges_.size());
+        const int index = byNodes_.findOrAdd({std::min(a, b), std::max(a, b)}, next);
+        if (index == next) {
             edges_.push_back({a, b, side, {}});
             return;
         }
-        PatchEdge& edge = edges_[it->second];
+        PatchEdge& edge = edges_[index];
         expects(!edge.isInner(), "an edge of a patch has at most two cells");
         edge.second = side;
     }
@@ -84,7 +86,7 @@ public:
 
 private:
     std::vector<PatchEdge> edges_;
-    std::map<std::pair<int, int>, int> byNodes_;
+    NodeIndex<2> byNodes_;
 };
 
 } // namespace
