@@ -160,10 +160,8 @@ void millionCellsWithElements(benchmark::State& state) {
         const auto garment = simulation::makeGarment(pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), {});
         const double used = study::threadSeconds() - start;
         if (!garment) std::abort();
-        const cloth::ClothModel& model = garment->model;
-        bytes = meshBytes + bytesOf(model.mass) + bytesOf(model.structural) + bytesOf(model.shear) +
-                bytesOf(model.bending) + bytesOf(model.twist) + bytesOf(model.hinges) + bytesOf(model.triangles) +
-                bytesOf(model.cells) + bytesOf(garment->particles.particleOf);
+        bytes =
+            meshBytes + static_cast<double>(cloth::bytesOf(garment->model)) + bytesOf(garment->particles.particleOf);
         state.SetIterationTime(used);
         seconds += used;
     }
