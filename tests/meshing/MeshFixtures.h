@@ -136,8 +136,9 @@ inline std::string defectOf(const PieceMesh& mesh, int holes = 0) {
             corner(3).x != corner(0).x || corner(1).x <= corner(0).x || corner(3).y <= corner(0).y)
             return "a rectangle that is none";
     }
-    std::set<int> slaves;
+    std::set<int> slaves, onBorder;
     for (const SlaveNode& slave : mesh.slaves) slaves.insert(slave.node);
+    for (const auto& [low, high] : border) onBorder.insert({low, high});
     for (const SlaveNode& slave : mesh.slaves) {
         Vec2 sum;
         double weights = 0;
@@ -146,6 +147,7 @@ inline std::string defectOf(const PieceMesh& mesh, int holes = 0) {
             sum += mesh.material[at(master)] * weight;
             weights += weight;
         }
+        if (onBorder.contains(slave.node)) return "a slave on the border";
         if (std::abs(weights - 1) > 1e-14) return "weights that do not sum to one";
         if (distance(sum, mesh.material[at(slave.node)]) > 1e-12) return "a slave beside its masters' line";
     }
