@@ -3,10 +3,10 @@
 
 #include "core/base/AtomicFile.h"
 #include "core/geometry/Polygon.h"
+#include "core/meshing/DisplayElements.h"
 #include "core/picture/RenderPicture.h"
 #include "core/simulation/Topology.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace toile::batch {
@@ -36,22 +36,15 @@ std::vector<std::vector<int>> cellsOf(const meshing::PieceMesh& mesh) {
 
 /// The same without corners on sides: a rectangle with slaves on its sides is cut as it is displayed.
 std::vector<std::vector<int>> facesOf(const meshing::PieceMesh& mesh) {
-    const auto at = [&](int node) { return mesh.material[static_cast<std::size_t>(node)]; };
+    const std::vector<int> elements = meshing::displayElements(mesh);
+    std::vector<int> parts(mesh.rectangles.size() + mesh.triangles.size(), 0);
+    for (const int element : elements) ++parts[static_cast<std::size_t>(element)];
     std::vector<std::vector<int>> faces;
-    auto next = mesh.display.begin(); // of the rectangles in their order, then of the triangles
-    for (const meshing::Rectangle& cell : mesh.rectangles) {
-        const Vec2 low = at(cell.nodes[0]), high = at(cell.nodes[2]);
-        const auto isInside = [&](int node) {
-            return at(node).x >= low.x && at(node).x <= high.x && at(node).y >= low.y && at(node).y <= high.y;
-        };
-        const auto first = next;
-        while (next != mesh.display.end() && std::ranges::all_of(*next, isInside)) ++next;
-        if (next - first == 2) faces.emplace_back(cell.nodes.begin(), cell.nodes.end());
-        else
-            for (auto triangle = first; triangle != next; ++triangle)
-                faces.emplace_back(triangle->begin(), triangle->end());
-    }
-    for (const meshing::Triangle& t : mesh.triangles) faces.emplace_back(t.nodes.begin(), t.nodes.end());
+    for (std::size_t r = 0; r < mesh.rectangles.size(); ++r)
+        if (parts[r] == 2) faces.emplace_back(mesh.rectangles[r].nodes.begin(), mesh.rectangles[r].nodes.end());
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        if (parts[static_cast<std::size_t>(elements[i])] != 2)
+            faces.emplace_back(mesh.display[i].begin(), mesh.display[i].end());
     return faces;
 }
 
@@ -112,6 +105,7 @@ Result<void> writePicture(const std::filesystem::path& file, const pattern::Patt
     scene.frame = Shared<simulation::Frame>(std::move(frame));
     scene.options.meshLines = scene.options.regions = true;
     scene.options.floor = scene.options.shadows = false;
+    scene.options.seams = false; // threads from piece to piece would cover the cells
     const auto image = picture::renderPicture(scene, picture::ViewDirection::front, 2400, 1200);
     if (!image) return tl::unexpected(image.error());
     return picture::writePng(file, *image);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Topology.h"
 
+#include "core/meshing/DisplayElements.h"
+
 #include <algorithm>
 
 namespace toile::simulation {
@@ -26,36 +28,6 @@ std::vector<std::array<int, 2>> meshLinesOf(const meshing::PieceMesh& mesh, int 
     return lines;
 }
 
-/// Region of each display triangle: that of the element which holds its first edge; found by shared corners.
-std::vector<int> displayRegions(const meshing::PieceMesh& mesh) {
-    std::vector<std::vector<std::pair<int, int>>> elementsAt(mesh.nodes.size()); // node -> (element, region)
-    int element = 0;
-    for (const meshing::Rectangle& cell : mesh.rectangles) {
-        for (const int node : cell.nodes) elementsAt[node].push_back({element, cell.region});
-        ++element;
-    }
-    for (const meshing::Triangle& t : mesh.triangles) {
-        for (const int node : t.nodes) elementsAt[node].push_back({element, t.region});
-        ++element;
-    }
-    std::vector<int> regions;
-    for (const std::array<int, 3>& triangle : mesh.display) {
-        int best = 0, region = -1;
-        for (const int corner : triangle)
-            for (const auto& [candidate, itsRegion] : elementsAt[corner]) {
-                const int shared = static_cast<int>(std::ranges::count_if(triangle, [&](int node) {
-                    return std::ranges::any_of(elementsAt[node], [&](const auto& e) { return e.first == candidate; });
-                }));
-                if (shared > best) {
-                    best = shared;
-                    region = itsRegion;
-                }
-            }
-        regions.push_back(region);
-    }
-    return regions;
-}
-
 } // namespace
 
 FrameTopology topologyOf(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh) {
@@ -70,7 +42,8 @@ FrameTopology topologyOf(const pattern::Pattern& pattern, const meshing::Garment
                                    static_cast<int>(piece.display.size())});
         topology.material.insert(topology.material.end(), piece.material.begin(), piece.material.end());
         for (const auto& [a, b, c] : piece.display) topology.triangles.push_back({first + a, first + b, first + c});
-        std::ranges::copy(displayRegions(piece), std::back_inserter(topology.triangleRegion));
+        for (const int element : meshing::displayElements(piece))
+            topology.triangleRegion.push_back(meshing::regionOf(piece, element));
         std::ranges::copy(meshLinesOf(piece, first), std::back_inserter(topology.meshLines));
     }
     for (const meshing::SeamNodes& seam : mesh.seams) {

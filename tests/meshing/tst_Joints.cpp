@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/meshing/DisplayElements.h"
 #include "tests/meshing/MeshFixtures.h"
 
 #include <QtTest>
@@ -11,6 +12,7 @@ class tst_Joints : public QObject {
     Q_OBJECT
 private slots:
     void joinedRegionsHaveNoCrack();
+    void everyDisplayedTriangleIsCutFromItsElement();
     void spacingAcrossEdgesDiffersByTwoAtMost();
     void theStripKeepsItsAngles();
     void mostElementsAreRectangles();
@@ -63,6 +65,33 @@ void tst_Joints::joinedRegionsHaveNoCrack() {
         Vec2 onSide;
         for (const auto& [master, weight] : slave.masters) onSide += mesh.nodes[at(master)] * weight;
         QVERIFY(distance(onSide, mesh.nodes[at(slave.node)]) <= 1e-12 * 0.62); // of the piece's length
+    }
+}
+
+void tst_Joints::everyDisplayedTriangleIsCutFromItsElement() {
+    PieceInput paper = regionBodice(0.02);
+    paper.rule = LineRule::paper; // several slaves on a side
+    for (const PieceInput& piece : {regionBodice(0.02), paper}) {
+        const auto garment = meshGarment(inputOf(piece));
+        QVERIFY(garment);
+        const PieceMesh& mesh = garment->pieces[0];
+        const std::vector<int> elements = displayElements(mesh);
+        QCOMPARE(elements.size(), mesh.display.size());
+        std::vector<double> areas(mesh.rectangles.size() + mesh.triangles.size(), 0);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            const auto [a, b, c] = mesh.display[i];
+            areas[at(elements[i])] += triangleArea(mesh.material[at(a)], mesh.material[at(b)], mesh.material[at(c)]);
+        }
+        for (std::size_t r = 0; r < mesh.rectangles.size(); ++r) {
+            const Span span = spanOf(mesh, mesh.rectangles[r]);
+            QVERIFY(std::abs(areas[r] / (span.width * span.height) - 1) < 1e-9);
+            QCOMPARE(regionOf(mesh, static_cast<int>(r)), mesh.rectangles[r].region);
+        }
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            const auto [a, b, c] = mesh.triangles[t].nodes;
+            const double area = triangleArea(mesh.material[at(a)], mesh.material[at(b)], mesh.material[at(c)]);
+            QVERIFY(std::abs(areas[mesh.rectangles.size() + t] / area - 1) < 1e-9);
+        }
     }
 }
 
