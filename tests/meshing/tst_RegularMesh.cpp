@@ -11,6 +11,7 @@ class tst_RegularMesh : public QObject {
     Q_OBJECT
 private slots:
     void aSquareIsRectanglesOnly();
+    void neighboursOnTheGridAreNearInMemory();
     void aTurnedSquareIsRectanglesAlongItsGrain();
     void everyShapeGivesAValidMesh_data();
     void everyShapeGivesAValidMesh();
@@ -53,6 +54,18 @@ void tst_RegularMesh::aSquareIsRectanglesOnly() {
     QCOMPARE(mesh.rectangles.size(), std::size_t{32 * 32});
     QVERIFY(mesh.triangles.empty());
     QCOMPARE(QString::fromStdString(defectOf(mesh)), QString());
+}
+
+void tst_RegularMesh::neighboursOnTheGridAreNearInMemory() {
+    // Row by row half of all sides would join nodes 129 apart; along a Morton curve few are farther than a block of 8
+    // × 8.
+    const auto garment = meshGarment(inputOf(rectanglePiece(1, 1, 1.0 / 128)));
+    QVERIFY(garment);
+    int near = 0, all = 0;
+    for (const Rectangle& r : garment->pieces[0].rectangles)
+        for (std::size_t i = 0; i < 4; ++i, ++all) near += std::abs(r.nodes[i] - r.nodes[(i + 1) % 4]) < 64;
+    qInfo("%.1f %% of the sides join nodes less than 64 apart", 100.0 * near / all);
+    QVERIFY(near > 0.85 * all);
 }
 
 void tst_RegularMesh::aTurnedSquareIsRectanglesAlongItsGrain() {
