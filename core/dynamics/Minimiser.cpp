@@ -340,7 +340,8 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, c
         if (out.iterations == settings_.maximumIterations || failures > 10) break;
         if (out.iterations == 0) firstResidual = residual;
         if (inertia_ == 0)
-            report(progress, std::clamp(std::log(firstResidual / bestResidual) / std::log(firstResidual / goal), 0.0, 1.0),
+            report(progress,
+                   std::clamp(std::log(firstResidual / bestResidual) / std::log(firstResidual / goal), 0.0, 1.0),
                    "Finding the equilibrium");
         MinimiserIteration log{.energy = now.energy, .residual = residual};
         // Conjugate gradients need not know the step better than the step knows the minimum.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace toile::geometry {
 namespace {
@@ -59,27 +60,50 @@ int arcSteps(const Circle& circle, double chordError) {
     return wholeSteps(std::abs(circle.sweep) / (2 * half));
 }
 
-double speedIntegral(const Curve& curve, double from, double to) {
-    // Five-point Gauss–Legendre.
-    static constexpr std::array<double, 5> node{0, 0.53846931010568309, -0.53846931010568309, 0.90617984593866399,
-                                                -0.90617984593866399};
-    static constexpr std::array<double, 5> weight{0.56888888888888889, 0.47862867049936647, 0.47862867049936647,
-                                                  0.23692688505618909, 0.23692688505618909};
-    const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-    double sum = 0;
-    for (std::size_t i = 0; i < node.size(); ++i) sum += weight[i] * length(tangentAt(curve, middle + half * node[i]));
-    return sum * half;
-}
+/// How fast a point of the curve moves with its parameter. The derivative of a cubic is kept as a polynomial.
+class Speed {
+public:
+    explicit Speed(const Curve& curve) : curve_(curve) {
+        const auto* cubic = std::get_if<CubicShape>(&curve.shape);
+        if (!cubic) return;
+        const Vec2 first = cubic->control1 - curve.start, second = cubic->control2 - cubic->control1,
+                   third = curve.end - cubic->control2;
+        constant_ = first * 3;
+        linear_ = (second - first) * 6;
+        square_ = (first - second * 2 + third) * 3;
+        isCubic_ = true;
+    }
+    double operator()(double t) const {
+        if (!isCubic_) return length(tangentAt(curve_, t));
+        return std::sqrt(squaredLength(constant_ + (linear_ + square_ * t) * t));
+    }
+    /// Five-point Gauss–Legendre.
+    [[nodiscard]] double integral(double from, double to) const {
+        static constexpr std::array<double, 5> node{0, 0.53846931010568309, -0.53846931010568309, 0.90617984593866399,
+                                                    -0.90617984593866399};
+        static constexpr std::array<double, 5> weight{0.56888888888888889, 0.47862867049936647, 0.47862867049936647,
+                                                      0.23692688505618909, 0.23692688505618909};
+        const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+        double sum = 0;
+        for (std::size_t i = 0; i < node.size(); ++i) sum += weight[i] * (*this)(middle + half * node[i]);
+        return sum * half;
+    }
 
-double adaptiveLength(const Curve& curve, double from, double to, double whole, int depth) {
+private:
+    const Curve& curve_;
+    bool isCubic_ = false;
+    Vec2 constant_, linear_, square_;
+};
+
+double adaptiveLength(const Speed& speed, double from, double to, double whole, int depth) {
     const double middle = 0.5 * (from + to);
-    const double left = speedIntegral(curve, from, middle), right = speedIntegral(curve, middle, to);
+    const double left = speed.integral(from, middle), right = speed.integral(middle, to);
     if (depth == 0 || std::abs(left + right - whole) <= 1e-13 * (left + right) + 1e-18) return left + right;
-    return adaptiveLength(curve, from, middle, left, depth - 1) + adaptiveLength(curve, middle, to, right, depth - 1);
+    return adaptiveLength(speed, from, middle, left, depth - 1) + adaptiveLength(speed, middle, to, right, depth - 1);
 }
 
-double lengthBetween(const Curve& curve, double from, double to) {
-    return adaptiveLength(curve, from, to, speedIntegral(curve, from, to), 20);
+double lengthBetween(const Speed& speed, double from, double to) {
+    return adaptiveLength(speed, from, to, speed.integral(from, to), 20);
 }
 
 } // namespace
@@ -152,11 +176,14 @@ Curve mirrored(const Curve& curve, Vec2 a, Vec2 b) {
 
 ArcLength::ArcLength(const Curve& curve) : curve_(curve) {
     const int intervals = std::holds_alternative<CubicShape>(curve.shape) ? 32 : 1;
+    const Speed speed(curve_);
+    parameters_.reserve(static_cast<std::size_t>(intervals) + 1);
+    lengths_.reserve(static_cast<std::size_t>(intervals) + 1);
     parameters_.push_back(0);
     lengths_.push_back(0);
     for (int i = 1; i <= intervals; ++i) {
         const double from = parameters_.back(), to = static_cast<double>(i) / intervals;
-        lengths_.push_back(lengths_.back() + lengthBetween(curve_, from, to));
+        lengths_.push_back(lengths_.back() + lengthBetween(speed, from, to));
         parameters_.push_back(to);
     }
 }
@@ -168,16 +195,30 @@ double ArcLength::parameterAt(double fraction) const {
     const double wanted = fraction * total();
     const auto above = std::upper_bound(lengths_.begin(), lengths_.end(), wanted);
     const auto i = static_cast<std::size_t>(above - lengths_.begin()) - 1;
-    double low = parameters_[i], high = parameters_[i + 1];
-    double t = low + (high - low) * (wanted - lengths_[i]) / (lengths_[i + 1] - lengths_[i]);
+    const Speed speed(curve_);
+    const double left = parameters_[i], right = parameters_[i + 1];
+    const double stretch = lengths_[i + 1] - lengths_[i], part = (wanted - lengths_[i]) / stretch;
+    // Where one formula gives the length of the whole interval, it gives that of a part of it.
+    const bool smooth = std::abs(speed.integral(left, right) - stretch) <= 1e-13 * stretch;
+    double low = left, high = right;
+    double t = low + (high - low) * part;
+    const double startSpeed = speed(left), endSpeed = speed(right);
+    if (startSpeed > 0 && endSpeed > 0) { // the cubic through both ends with the slopes there
+        const double slopeLeft = stretch / (startSpeed * (right - left)),
+                     slopeRight = stretch / (endSpeed * (right - left));
+        const double rest = 1 - part;
+        const double s = part * part * (3 - 2 * part) + part * rest * (slopeLeft * rest - slopeRight * part);
+        if (s > 0 && s < 1) t = left + (right - left) * s;
+    }
     for (int iteration = 0; iteration < 50; ++iteration) { // Newton, kept inside the bracket
-        const double excess = lengths_[i] + lengthBetween(curve_, parameters_[i], t) - wanted;
+        const double length = smooth ? speed.integral(left, t) : lengthBetween(speed, left, t);
+        const double excess = lengths_[i] + length - wanted;
         if (std::abs(excess) <= 1e-15 * total()) break;
         (excess > 0 ? high : low) = t;
-        const double speed = length(tangentAt(curve_, t));
-        const double newton = speed > 0 ? t - excess / speed : low;
+        const double here = speed(t);
+        const double newton = here > 0 ? t - excess / here : low;
         t = newton > low && newton < high ? newton : 0.5 * (low + high);
-        if (high - low < 1e-16) break;
+        if (high - low < 1e-16 || std::abs(excess) <= 1e-9 * stretch) break; // the step squares what is left
     }
     return t;
 }
@@ -188,7 +229,7 @@ double ArcLength::fractionAt(double t) const {
     if (parameters_.size() == 2) return t;
     const auto above = std::upper_bound(parameters_.begin(), parameters_.end(), t);
     const auto i = static_cast<std::size_t>(above - parameters_.begin()) - 1;
-    return (lengths_[i] + lengthBetween(curve_, parameters_[i], t)) / total();
+    return (lengths_[i] + lengthBetween(Speed(curve_), parameters_[i], t)) / total();
 }
 
 double length(const Curve& curve) {

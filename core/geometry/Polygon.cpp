@@ -2,6 +2,7 @@
 #include "core/geometry/Polygon.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace toile::geometry {
@@ -36,8 +37,9 @@ Vec2 closestOnSegment(Vec2 a, Vec2 b, Vec2 point) {
 double distanceToBorder(std::span<const Vec2> polygon, Vec2 point) {
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0, n = polygon.size(); i < n; ++i)
-        best = std::min(best, distance(point, closestOnSegment(polygon[i], polygon[(i + 1) % n], point)));
-    return best;
+        best =
+            std::min(best, squaredLength(point - closestOnSegment(polygon[i], polygon[i + 1 < n ? i + 1 : 0], point)));
+    return std::sqrt(best);
 }
 
 Box2 boundsOf(std::span<const Vec2> points) {

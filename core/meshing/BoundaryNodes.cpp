@@ -25,7 +25,8 @@ public:
 private:
     void walkLoop(int loop) {
         const BoundaryLoop& edges = loopOf(piece_, loop);
-        const int first = nodeFor(edges.front().curve.start);
+        const Vec2 start = edges.front().curve.start;
+        const int first = addNode(start, gridOf(start));
         int current = first;
         ring_ = {first};
         spots_.clear();
@@ -62,16 +63,18 @@ private:
         return true;
     }
 
-    int nodeFor(Vec2 point) {
+    [[nodiscard]] GridPoint gridOf(Vec2 point) const { return boundary_.frame.gridOf(boundary_.frame.frameOf(point)); }
+
+    int addNode(Vec2 point, GridPoint grid) {
         nodes_.points.push_back(point);
-        nodes_.grid.push_back(boundary_.frame.gridOf(boundary_.frame.frameOf(point)));
+        nodes_.grid.push_back(grid);
         return static_cast<int>(nodes_.points.size()) - 1;
     }
 
     /// The node at a point; the current one if they are the same grid point.
     int nextNode(int current, Vec2 point) {
-        if (boundary_.frame.gridOf(boundary_.frame.frameOf(point)) == nodes_.grid[at(current)]) return current;
-        return nodeFor(point);
+        const GridPoint grid = gridOf(point);
+        return grid == nodes_.grid[at(current)] ? current : addNode(point, grid);
     }
 
     void step(int node, const BoundarySpot& spot) {

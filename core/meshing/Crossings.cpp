@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/Crossings.h"
 
+#include "core/meshing/MonotoneChains.h"
+
 #include <algorithm>
 
 namespace toile::meshing {
@@ -17,15 +19,6 @@ bool touches(const RingSegment& s, const GridBox& box) {
 
 bool follows(const RingSegment& s, const RingSegment& t) {
     return s.ring == t.ring && (s.index + 1) % s.ringSize == t.index;
-}
-
-bool clash(const RingSegment& s, const RingSegment& t) {
-    if (follows(t, s) && !follows(s, t)) return clash(t, s);
-    if (follows(s, t)) { // s.b = t.a is allowed, lying on one another is not
-        if (s.ringSize == 2) return true;
-        return onSegment(s.a, s.b, t.b) || onSegment(t.a, t.b, s.a);
-    }
-    return segmentsMeet(s.a, s.b, t.a, t.b);
 }
 
 class CrossingSearch {
@@ -73,8 +66,8 @@ private:
     void compareAll(const std::vector<int>& members) {
         for (std::size_t i = 0; i < members.size(); ++i)
             for (std::size_t j = i + 1; j < members.size(); ++j)
-                if (clash(segments_[static_cast<std::size_t>(members[i])],
-                          segments_[static_cast<std::size_t>(members[j])]))
+                if (segmentsClash(segments_[static_cast<std::size_t>(members[i])],
+                                  segments_[static_cast<std::size_t>(members[j])]))
                     found_.emplace_back(members[i], members[j]);
     }
 
@@ -84,7 +77,17 @@ private:
 
 } // namespace
 
+bool segmentsClash(const RingSegment& s, const RingSegment& t) {
+    if (follows(t, s) && !follows(s, t)) return segmentsClash(t, s);
+    if (follows(s, t)) { // s.b = t.a is allowed, lying on one another is not
+        if (s.ringSize == 2) return true;
+        return onSegment(s.a, s.b, t.b) || onSegment(t.a, t.b, s.a);
+    }
+    return segmentsMeet(s.a, s.b, t.a, t.b);
+}
+
 std::vector<std::pair<int, int>> allCrossings(std::span<const RingSegment> segments) {
+    if (const auto crosses = chainsCross(segments); crosses && !*crosses) return {};
     return CrossingSearch(segments).run();
 }
 

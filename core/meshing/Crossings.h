@@ -19,6 +19,9 @@ struct RingSegment {
     int edge = 0; ///< the boundary edge it was cut from
 };
 
+/// The segments meet elsewhere than at the common corner of neighbours, or neighbours fold back on one another.
+[[nodiscard]] bool segmentsClash(const RingSegment& s, const RingSegment& t);
+
 /// Two segments that meet elsewhere than at the common corner of neighbours, as indices; the pair that comes
 /// first. Neighbours that fold back on one another count. Halves the box until few segments are left in it.
 [[nodiscard]] std::optional<std::pair<int, int>> firstCrossing(std::span<const RingSegment> segments);

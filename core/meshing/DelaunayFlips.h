@@ -8,14 +8,18 @@
 
 namespace toile::meshing {
 
-/// Turns diagonals until each is locally Delaunay. Of four points on one circle the first by (x, y) has it, so that the
-/// result depends on the points alone.
+/// Turns diagonals until each is locally Delaunay. Of four points on one circle that nearest to the piece's middle has
+/// it, so that the result depends on the points alone, and is alike on both sides of a piece that is.
 class DelaunayFlips {
 public:
     /// Looks at all sides.
     void run(std::span<const GridPoint> points, TriangleSides& sides);
+    /// Looks at these, and at what their turning touches.
+    void runFrom(std::span<const int> changed, std::span<const GridPoint> points, TriangleSides& sides);
 
 private:
+    void turnOpen(std::span<const GridPoint> points, TriangleSides& sides);
+
     std::vector<int> open_;
 };
 

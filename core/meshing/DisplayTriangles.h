@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/meshing/CellMesh.h"
+#include "core/meshing/Strip.h"
 
 namespace toile::meshing {
 
-/// Triangles of a cell with the nodes on its sides: of all triangulations of that polygon the one whose
-/// smallest angle is largest (2:1 neighbours: at least 26.5°).
-void appendCellTriangles(const CellMesh& mesh, const Cell& cell, std::vector<std::array<int, 3>>& triangles);
+/// Cuts cells into triangles for display. Buffers are kept between calls.
+class CellTriangulator {
+public:
+    /// Triangles of a cell with the nodes on its sides: of all triangulations of that polygon the one whose
+    /// smallest angle is largest (2:1 neighbours: at least 26.5°).
+    void append(const CellLayer& layer, const NodePlaces& places, const MixedCell& cell,
+                std::vector<std::array<int, 3>>& triangles);
 
-/// The smallest angle of the triangle [rad]; 0 if it has no area or runs clockwise.
-[[nodiscard]] double smallestAngle(Vec2 a, Vec2 b, Vec2 c);
+private:
+    void solve(int i, int j);
+    void appendStretch(int i, int j, std::vector<std::array<int, 3>>& triangles) const;
+    [[nodiscard]] std::size_t slot(int i, int j) const;
+
+    std::vector<int> polygon_;
+    std::vector<Vec2> places_;
+    std::vector<double> best_; ///< smallest angle of the best triangulation of each stretch i … j
+    std::vector<int> apex_;    ///< and its corner across from i – j
+};
 
 } // namespace toile::meshing

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/DividedBorders.h"
 
+#include "core/meshing/BorderSpacing.h"
+
 #include <algorithm>
 
 namespace toile::meshing {
@@ -59,30 +61,45 @@ Result<void> nodesApart(const MeshInput& input, const std::vector<PieceBoundary>
 
 Result<DividedBorders> dividedBorders(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
                                       const std::vector<CheckedSeam>& seams, const FixedPoints& points,
-                                      const SpacingAlong& spacing) {
+                                      const SpacingAlong& spacing, const std::vector<const FrozenBorder*>& known) {
     auto created = BoundaryDivision::create(input, boundaries, seams, points, spacing);
     if (!created) return tl::unexpected(created.error());
-    DividedBorders borders{std::move(*created), {}};
-    if (auto apart = nodesApart(input, boundaries, borders.division); !apart) return tl::unexpected(apart.error());
-    std::vector<std::size_t> firstCounts;
-    for (;;) {
-        bool coarse = false;
-        borders.nodes.clear();
+    DividedBorders result{std::move(*created), {}};
+    const BoundaryDivision& division = result.division;
+    if (auto apart = nodesApart(input, boundaries, division); !apart) return tl::unexpected(apart.error());
+    result.borders.resize(input.pieces.size());
+    std::vector<std::size_t> firstCounts(input.pieces.size(), 0);
+    std::vector<double> description;
+    for (bool coarse = true; coarse;) {
+        coarse = false;
         for (std::size_t p = 0; p < input.pieces.size(); ++p) {
-            const BoundaryNodes& nodes = borders.nodes.emplace_back(
-                boundaryNodes(input.pieces[p], static_cast<int>(p), boundaries[p], borders.division));
-            if (firstCounts.size() <= p) firstCounts.push_back(nodes.points.size());
-            const std::vector<BoundarySpot> spots = spotsTooCoarse(nodes);
+            std::optional<FrozenBorder>& border = result.borders[p];
+            division.describe(static_cast<int>(p), description);
+            if (border && border->description == description) continue;
+            if (known[p] && known[p]->description == description) {
+                if (firstCounts[p] == 0) firstCounts[p] = known[p]->nodes.points.size();
+                border.reset();
+                continue;
+            }
+            border = FrozenBorder{
+                description, boundaryNodes(input.pieces[p], static_cast<int>(p), boundaries[p], division), {}};
+            const std::size_t count = border->nodes.points.size();
+            if (firstCounts[p] == 0) firstCounts[p] = count;
+            const std::vector<BoundarySpot> spots = spotsTooCoarse(border->nodes);
             if (spots.empty()) continue;
             coarse = true;
-            if (nodes.points.size() > std::max(mostBorderNodes, mostTimesNodes * firstCounts[p]) ||
-                !refineOnce(spots, static_cast<int>(p), boundaries[p], borders.division))
+            if (count > std::max(mostBorderNodes, mostTimesNodes * firstCounts[p]) ||
+                !refineOnce(spots, static_cast<int>(p), boundaries[p], result.division))
                 return fail(ErrorCode::invalidInput,
                             "Two parts of the border run too near one another to be divided into nodes.",
                             {.object = nameOf(input.pieces[p], spots.front().loop, spots.front().edge)});
         }
-        if (!coarse) return borders;
     }
+    for (std::size_t p = 0; p < input.pieces.size(); ++p)
+        if (result.borders[p])
+            result.borders[p]->seeds =
+                seedsOf(result.borders[p]->nodes, boundaries[p].frame, static_cast<int>(p), division);
+    return result;
 }
 
 } // namespace toile::meshing

@@ -26,15 +26,19 @@ int longestOfFlat(std::span<const GridPoint> points, const TriangleSides& sides,
 
 } // namespace
 
-void turnFlatTriangles(std::span<const GridPoint> points, TriangleSides& sides) {
-    for (int t = 0; t < sides.triangles(); ++t) {
+bool turnFlatTriangles(std::span<const int> triangles, std::span<const GridPoint> points, TriangleSides& sides) {
+    bool turned = false;
+    for (const int t : triangles) {
         const int side = longestOfFlat(points, sides, t);
         if (side < 0 || sides.twinOf(side) < 0) continue;
         const auto at = [&](int vertex) { return points[static_cast<std::size_t>(vertex)]; };
         const GridPoint apex = at(sides.apexOf(side)), far = at(sides.apexOf(sides.twinOf(side)));
         const GridPoint a = at(sides.startOf(side)), b = at(sides.endOf(side));
-        if (orientation(apex, a, far) > 0 && orientation(apex, far, b) > 0) turnDiagonal(sides, side);
+        if (orientation(apex, a, far) <= 0 || orientation(apex, far, b) <= 0) continue;
+        turnDiagonal(sides, side);
+        turned = true;
     }
+    return turned;
 }
 
 } // namespace toile::meshing

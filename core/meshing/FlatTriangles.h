@@ -8,9 +8,10 @@
 
 namespace toile::meshing {
 
-/// Turns the longest side of flat triangles where that gives two that are not turned over. Nodes of one
-/// straight edge are collinear but for the rounding of the grid; where no other node is near, a Delaunay
+/// Turns the longest side of those of these triangles that are flat, where that gives two that are not turned over.
+/// Nodes of one straight edge are collinear but for the rounding of the grid; where no other node is near, a Delaunay
 /// triangulation within walls may hold a triangle of three of them, which has an area on the grid alone.
-void turnFlatTriangles(std::span<const GridPoint> points, TriangleSides& sides);
+/// Says whether it turned any.
+bool turnFlatTriangles(std::span<const int> triangles, std::span<const GridPoint> points, TriangleSides& sides);
 
 } // namespace toile::meshing

@@ -9,6 +9,7 @@
 #include "core/meshing/SewnNodes.h"
 
 #include <chrono>
+#include <mutex>
 
 namespace toile::meshing {
 namespace {
@@ -26,19 +27,32 @@ struct LaidLattice {
     std::vector<Warning> warnings;
 };
 
-/// What a piece's mesh was made of beside its lattice.
-struct FrozenBorder {
-    BoundaryNodes nodes;
-    std::vector<SpacingSeed> seeds;
-    friend bool operator==(const FrozenBorder&, const FrozenBorder&) = default;
+/// The finest spacing wanted along a stretch of an edge.
+struct StretchSpacing {
+    int loop = 0, edge = 0;
+    double from = 0, to = 0;
+    double spacing = 0; ///< [m]
 };
 
 /// Each part is worth something only together with those above it.
 struct PieceMemory {
     PieceInput input;
     std::optional<LaidLattice> laid;
-    std::optional<FrozenBorder> meshed; ///< its mesh and report are those of the garment
+    std::vector<StretchSpacing> spacings; ///< asked of the laid lattice's regions
+    std::optional<FrozenBorder> border;
+    bool isMeshed = false; ///< mesh and report in the garment are those of all this
+
+    double spacingAlong(const PieceBoundary& boundary, int loop, int edge, double from, double to);
 };
+
+double PieceMemory::spacingAlong(const PieceBoundary& boundary, int loop, int edge, double from, double to) {
+    if (input.regions.empty()) return input.spacing;
+    for (const StretchSpacing& known : spacings)
+        if (known.loop == loop && known.edge == edge && known.from == from && known.to == to) return known.spacing;
+    const double spacing = finestSpacingAlong(input, boundary, laid->lattice, loop, edge, from, to);
+    spacings.push_back({loop, edge, from, to, spacing});
+    return spacing;
+}
 
 /// The ends of seam parts on a piece, in its frame.
 std::vector<Vec2> seamEnds(const std::vector<CheckedSeam>& seams, int piece, const PieceBoundary& boundary) {
@@ -61,14 +75,18 @@ struct GarmentMesher::Memory {
     std::vector<PieceMemory> pieces;
     std::vector<PieceBoundary> boundaries;
     GarmentMesh garment;
+    std::mutex guard;                               ///< of `idle`
+    std::vector<std::unique_ptr<PieceMesher>> idle; ///< one for each thread that has meshed
 
+    std::unique_ptr<PieceMesher> takeMesher();
+    void giveBack(std::unique_ptr<PieceMesher> mesher);
     Result<void> checkPieces(const MeshInput& input);
     Result<std::vector<CheckedSeam>> checkSeams(const MeshInput& input);
     Result<void> layLattice(const MeshInput& input, const std::vector<CheckedSeam>& seams, std::size_t piece,
                             GrainStretches stretches);
     Result<DividedBorders> divideBorders(const MeshInput& input, const std::vector<CheckedSeam>& seams);
     Result<void> meshPieces(const MeshInput& input, DividedBorders& borders);
-    Result<void> meshPiece(const MeshInput& input, std::size_t piece, FrozenBorder border);
+    Result<void> meshPiece(const MeshInput& input, std::size_t piece);
     void sew(const MeshInput& input, const std::vector<CheckedSeam>& seams, const BoundaryDivision& division);
     Result<const GarmentMesh*> mesh(const MeshInput& input);
 };
@@ -106,7 +124,8 @@ Result<void> GarmentMesher::Memory::layLattice(const MeshInput& input, const std
     std::vector<Vec2> ends = seamEnds(seams, static_cast<int>(piece), boundaries[piece]);
     if (!memory.laid || memory.laid->seamEnds != ends || memory.laid->stretches != stretches) {
         memory.laid.reset();
-        memory.meshed.reset();
+        memory.spacings.clear();
+        memory.isMeshed = false;
         std::vector<RegionReport> regions;
         std::vector<Warning> warnings;
         auto lattice = laidLattice(input.pieces[piece], boundaries[piece], ends, stretches, regions, warnings);
@@ -131,11 +150,11 @@ Result<DividedBorders> GarmentMesher::Memory::divideBorders(const MeshInput& inp
                 !laid)
                 return tl::unexpected(laid.error());
     const SpacingAlong spacing = [&](int piece, int loop, int edge, double from, double to) {
-        const PieceInput& given = input.pieces[at(piece)];
-        if (given.regions.empty()) return given.spacing;
-        return finestSpacingAlong(given, boundaries[at(piece)], pieces[at(piece)].laid->lattice, loop, edge, from, to);
+        return pieces[at(piece)].spacingAlong(boundaries[at(piece)], loop, edge, from, to);
     };
-    auto borders = dividedBorders(input, boundaries, seams, *points, spacing);
+    std::vector<const FrozenBorder*> known;
+    for (const PieceMemory& piece : pieces) known.push_back(piece.border ? &*piece.border : nullptr);
+    auto borders = dividedBorders(input, boundaries, seams, *points, spacing, known);
     if (!borders) return borders;
     for (std::size_t p = 0; p < input.pieces.size(); ++p)
         if (input.pieces[p].regions.empty())
@@ -147,33 +166,52 @@ Result<DividedBorders> GarmentMesher::Memory::divideBorders(const MeshInput& inp
     return borders;
 }
 
-Result<void> GarmentMesher::Memory::meshPiece(const MeshInput& input, std::size_t piece, FrozenBorder border) {
+Result<void> GarmentMesher::Memory::meshPiece(const MeshInput& input, std::size_t piece) {
     PieceMemory& memory = pieces[piece];
-    memory.meshed.reset();
+    const FrozenBorder& border = *memory.border;
     const auto start = std::chrono::steady_clock::now();
-    auto mesh = meshedPiece(input.pieces[piece], boundaries[piece], border.nodes, border.seeds, memory.laid->lattice);
-    if (!mesh) return tl::unexpected(mesh.error());
+    std::unique_ptr<PieceMesher> mesher = takeMesher();
+    auto done = mesher->run(input.pieces[piece], boundaries[piece], border.nodes, border.seeds, memory.laid->lattice,
+                            garment.pieces[piece]);
+    giveBack(std::move(mesher));
+    if (!done) return done;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     PieceReport& report = garment.report.pieces[piece];
-    report = pieceReport(input.pieces[piece], boundaries[piece], border.nodes, *mesh, settings.judged);
+    report = pieceReport(input.pieces[piece], boundaries[piece], border.nodes, garment.pieces[piece], settings.judged);
     report.seconds = seconds;
     report.regions = memory.laid->regions;
-    garment.pieces[piece] = std::move(*mesh);
-    memory.meshed = std::move(border);
+    memory.isMeshed = true;
     return {};
+}
+
+std::unique_ptr<PieceMesher> GarmentMesher::Memory::takeMesher() {
+    const std::lock_guard lock(guard);
+    if (idle.empty()) return std::make_unique<PieceMesher>();
+    auto mesher = std::move(idle.back());
+    idle.pop_back();
+    return mesher;
+}
+
+void GarmentMesher::Memory::giveBack(std::unique_ptr<PieceMesher> mesher) {
+    const std::lock_guard lock(guard);
+    idle.push_back(std::move(mesher));
 }
 
 /// Each piece on its own: the result does not depend on the threads.
 Result<void> GarmentMesher::Memory::meshPieces(const MeshInput& input, DividedBorders& borders) {
-    std::vector<std::pair<std::size_t, FrozenBorder>> changed;
+    std::vector<std::size_t> changed;
     for (std::size_t p = 0; p < input.pieces.size(); ++p) {
-        FrozenBorder border{std::move(borders.nodes[p]), {}};
-        border.seeds = seedsOf(border.nodes, boundaries[p].frame, static_cast<int>(p), borders.division);
-        if (pieces[p].meshed != border) changed.emplace_back(p, std::move(border));
+        PieceMemory& piece = pieces[p];
+        if (auto& border = borders.borders[p]) {
+            const bool same =
+                piece.border && piece.border->nodes == border->nodes && piece.border->seeds == border->seeds;
+            piece.isMeshed = piece.isMeshed && same;
+            piece.border = std::move(border);
+        }
+        if (!piece.isMeshed) changed.push_back(p);
     }
     std::vector<Result<void>> done(changed.size());
-    inParallel(static_cast<int>(changed.size()),
-               [&](int i) { done[at(i)] = meshPiece(input, changed[at(i)].first, std::move(changed[at(i)].second)); });
+    inParallel(static_cast<int>(changed.size()), [&](int i) { done[at(i)] = meshPiece(input, changed[at(i)]); });
     for (const Result<void>& result : done)
         if (!result) return result;
     work.meshedPieces = static_cast<int>(changed.size());
@@ -214,6 +252,10 @@ GarmentMesher& GarmentMesher::operator=(GarmentMesher&&) noexcept = default;
 
 Result<const GarmentMesh*> GarmentMesher::mesh(const MeshInput& input) {
     return memory_->mesh(input);
+}
+
+void GarmentMesher::forget() {
+    for (PieceMemory& piece : memory_->pieces) piece = {};
 }
 
 GarmentMesh GarmentMesher::take() && {

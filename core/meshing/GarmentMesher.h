@@ -26,6 +26,9 @@ public:
     /// mesher still remembers what it can.
     [[nodiscard]] Result<const GarmentMesh*> mesh(const MeshInput& input);
 
+    /// Forgets what the pieces' meshes were made of, but keeps the memory: the next call meshes all anew in it.
+    void forget();
+
     /// The last mesh, out of a mesher that is done.
     [[nodiscard]] GarmentMesh take() &&;
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/meshing/BoundaryNodes.h"
-#include "core/meshing/Lattice.h"
+#include "core/meshing/BorderSegments.h"
 
 namespace toile::meshing {
 
@@ -12,22 +11,63 @@ constexpr double clearance = 0.75;
 /// The paper takes every grid point inside; so near to the border its triangles would have no area.
 constexpr double paperClearance = 0.05;
 
-/// Which nodes and cells of a lattice the piece fills.
+/// Which nodes and cells of a lattice the piece fills. Nodes of the mesh are numbered: first the border's, then the
+/// lattice's that are used and no border node.
 struct GridFill {
-    std::vector<GridPoint> at; ///< of each lattice node
-    std::vector<int> node;     ///< of each lattice node: the boundary node at its place, a number from
-                               ///< boundary-node count on, or −1 if it is not used
-    std::vector<Vec2> inner;   ///< positions of the new nodes in the frame [m], by number − boundary-node count
+    IntegerLines lines;
+    std::vector<int> node;        ///< of each lattice node: its number in the mesh, or −1 if it is not used
+    std::vector<char> inner;      ///< of each lattice node: used, and no border node
+    std::vector<int> latticeNode; ///< of each inner node, by number − border nodes
+    std::vector<char> filled;     ///< of each cell (Lattice::cellAt): a rectangle of the mesh
+    static constexpr std::size_t margin = 8;  ///< beyond the end of both, so that eight can be read at once
+    std::vector<std::pair<int, int>> aligned; ///< border nodes on the lattice, and which of its nodes they are
+    std::vector<Vec2> innerPlace;             ///< of the lattice nodes beyond the corners, in the frame [m]
     std::vector<GridPoint> innerGrid;
-    std::vector<std::pair<int, Vec2>> aligned; ///< boundary nodes on the lattice and their place in the frame
-    std::vector<char> filled;                  ///< of each cell: a rectangle of the mesh
+
+    [[nodiscard]] GridPoint gridAt(const Lattice& lattice, int place) const;
+    [[nodiscard]] Vec2 placeAt(const Lattice& lattice, int place) const;
 };
 
-/// Marks the main cells that meet the piece.
-void markActiveCells(const PieceFrame& frame, const std::vector<std::vector<GridPoint>>& rings, Lattice& lattice);
+/// Fills a lattice. Main cells that are not divided are done by rows, the others one by one. Buffers are kept.
+class GridFiller {
+public:
+    /// The cells wholly inside the piece, by exact tests; nodes nearer to the border than `cleared` are not used.
+    void run(const PieceFrame& frame, const BoundaryNodes& boundary, BorderSegments& segments, const Lattice& lattice,
+             double cleared, GridFill& fill);
 
-/// The cells wholly inside the piece, by exact tests; nodes nearer to the border than `cleared` are not used.
-[[nodiscard]] GridFill fillLattice(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice,
-                                   double cleared = clearance);
+private:
+    using Corners = std::array<int, 4>;
+
+    void placeDivided();
+    void markCorners();
+    void markDivided();
+    void alignBoundary();
+    void measureLines();
+    void clearCorners(const BorderSegment& segment);
+    void clearDivided(const BorderSegment& segment, int column, int row, int u);
+    void clearNearBorder();
+    void numberNodes();
+    void fillCells();
+    void listNeighbours();
+    void decideAtBorder();
+    void blockAt(const BorderSegment& segment);
+    void blockIn(const BorderSegment& segment, int column, int row, int u);
+    void decide(int cell, const Corners& corners);
+    [[nodiscard]] bool disturbs(const BorderSegment& segment, const Corners& corners) const;
+    [[nodiscard]] int coarsestAt(int column, int row) const;
+    [[nodiscard]] GridPoint pointOf(int latticeNode) const;
+    [[nodiscard]] Corners cornersOf(int column, int row, int a, int b) const;
+
+    const PieceFrame* frame_ = nullptr;
+    const BoundaryNodes* boundary_ = nullptr;
+    const Lattice* lattice_ = nullptr;
+    BorderSegments* segments_ = nullptr;
+    GridFill* fill_ = nullptr;
+    double cleared_ = clearance; ///< of the spacing [–]
+    int borderCount_ = 0;
+    std::vector<int> coarsest_;              ///< smallest u of the main cells that have each node beyond the corners
+    std::vector<double> widthAt_, heightAt_; ///< the wider of the cells beside each main line [units]
+    std::vector<int> before_, after_;        ///< of each border node in its ring
+};
 
 } // namespace toile::meshing

@@ -39,6 +39,13 @@ constexpr bool inCircle(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
     return circleSide(a, b, c, d) > 0;
 }
 
+/// An order of points that is the same on both sides of the piece's middle, x = 0: the nearer first, then the lower.
+constexpr bool nearerMiddle(GridPoint a, GridPoint b) {
+    const std::int32_t ax = a.x < 0 ? -a.x : a.x, bx = b.x < 0 ? -b.x : b.x;
+    if (ax != bx) return ax < bx;
+    return a.y != b.y ? a.y < b.y : a.x < b.x;
+}
+
 constexpr bool betweenInclusive(std::int32_t a, std::int32_t b, std::int32_t value) {
     return a <= b ? a <= value && value <= b : b <= value && value <= a;
 }

@@ -6,10 +6,13 @@
 namespace toile::meshing {
 
 Lattice::Lattice(std::vector<double> mainX, std::vector<double> mainY) : x_(std::move(mainX)), y_(std::move(mainY)) {
-    const std::size_t cells = size(columns()) * size(rows());
-    division.assign(cells, 1);
-    region.assign(cells, -1);
-    active.assign(cells, 0);
+    active.assign(size(columns()) * size(rows()), 0);
+}
+
+void Lattice::makeDivisible() {
+    if (!division.empty()) return;
+    division.assign(active.size(), 1);
+    region.assign(active.size(), -1);
 }
 
 int Lattice::intervalOf(const std::vector<double>& lines, double value) {
@@ -24,68 +27,87 @@ double Lattice::between(const std::vector<double>& lines, int interval, int part
     return low + (high - low) * part / parts;
 }
 
-int Lattice::horizontalDivision(int column, int row) const {
-    return std::max({1, activeDivision(column, row), activeDivision(column, row - 1)});
-}
-
-int Lattice::verticalDivision(int column, int row) const {
-    return std::max({1, activeDivision(column, row), activeDivision(column - 1, row)});
-}
-
-void Lattice::numberNodes() {
-    uniform_ = std::all_of(division.begin(), division.end(), [](int u) { return u == 1; });
-    nodeCount_ = (columns() + 1) * (rows() + 1);
-    firstCell_.resize(division.size());
-    cellCount_ = 0;
-    for (std::size_t c = 0; c < division.size(); ++c) {
-        firstCell_[c] = cellCount_;
-        cellCount_ += active[c] ? division[c] * division[c] : 0;
+void Lattice::number() {
+    nodeCount_ = cornerCount();
+    cellCount_ = (columns() + 2) * (rows() + 2);
+    divided_.clear();
+    mixed_.clear();
+    for (std::size_t c = 0; c < division.size(); ++c)
+        if (active[c] && division[c] > 1) divided_.push_back(static_cast<int>(c));
+    if (isUniform()) return;
+    isMixed_.assign(size(cellCount_), 0);
+    for (auto* numbers : {&horizontalNodes_, &verticalNodes_}) numbers->resize(size(cornerCount()));
+    for (auto* numbers : {&interiorNodes_, &firstCell_}) numbers->resize(active.size());
+    divideSides();
+    for (const int c : divided_) {
+        const int column = c % columns(), row = c / columns();
+        numberNodesOf(column, row);
+        firstCell_[size(c)] = cellCount_;
+        cellCount_ += divisionOf(c) * divisionOf(c);
+        for (const int beside : {0, 1, -1, columns() + 2, -columns() - 2})
+            isMixed_[size(wholeCell(column, row) + beside)] = 1;
     }
-    if (uniform_) return;
-    const auto take = [&](int count) {
-        const int first = nodeCount_;
-        nodeCount_ += count;
-        return first;
-    };
-    horizontalNodes_.clear();
-    for (int row = 0; row <= rows(); ++row)
+    for (int row = 0; row < rows(); ++row)
         for (int column = 0; column < columns(); ++column)
-            horizontalNodes_.push_back(take(horizontalDivision(column, row) - 1));
-    verticalNodes_.clear();
-    for (int row = 0; row < rows(); ++row)
-        for (int column = 0; column <= columns(); ++column)
-            verticalNodes_.push_back(take(verticalDivision(column, row) - 1));
-    interiorNodes_.clear();
-    for (int row = 0; row < rows(); ++row)
-        for (int column = 0; column < columns(); ++column) {
-            const int u = std::max(1, activeDivision(column, row));
-            interiorNodes_.push_back(take((u - 1) * (u - 1)));
+            if (isMixed_[size(wholeCell(column, row))] && active[size(cell(column, row))])
+                mixed_.push_back(cell(column, row));
+}
+
+/// A side is divided as the finer of the cells beside it.
+void Lattice::divideSides() {
+    for (auto* divisions : {&horizontalDivisions_, &verticalDivisions_}) divisions->assign(size(cornerCount()), 1);
+    for (const int c : divided_) {
+        const int column = c % columns(), row = c / columns(), u = divisionOf(c);
+        for (const int line : {row, row + 1}) {
+            int& side = horizontalDivisions_[size(corner(column, line))];
+            side = std::max(side, u);
         }
+        for (const int line : {column, column + 1}) {
+            int& side = verticalDivisions_[size(corner(line, row))];
+            side = std::max(side, u);
+        }
+    }
+}
+
+/// Nodes within a divided cell and its sides; a side belongs to the cell after it, if that is divided too.
+void Lattice::numberNodesOf(int column, int row) {
+    const auto take = [&](int& first, int count) {
+        first = nodeCount_;
+        nodeCount_ += count;
+    };
+    const int u = divisionOf(column, row);
+    take(horizontalNodes_[size(corner(column, row))], horizontalDivision(column, row) - 1);
+    take(verticalNodes_[size(corner(column, row))], verticalDivision(column, row) - 1);
+    take(interiorNodes_[size(cell(column, row))], (u - 1) * (u - 1));
+    if (activeDivision(column, row + 1) <= 1) take(horizontalNodes_[size(corner(column, row + 1))], u - 1);
+    if (activeDivision(column + 1, row) <= 1) take(verticalNodes_[size(corner(column + 1, row))], u - 1);
 }
 
 int Lattice::horizontalNode(int column, int row, int k) const {
     const int u = horizontalDivision(column, row);
     if (k == 0) return corner(column, row);
     if (k == u) return corner(column + 1, row);
-    return horizontalNodes_[size(row * columns() + column)] + k - 1;
+    return horizontalNodes_[size(corner(column, row))] + k - 1;
 }
 
 int Lattice::verticalNode(int column, int row, int k) const {
     const int u = verticalDivision(column, row);
     if (k == 0) return corner(column, row);
     if (k == u) return corner(column, row + 1);
-    return verticalNodes_[size(row * (columns() + 1) + column)] + k - 1;
+    return verticalNodes_[size(corner(column, row))] + k - 1;
 }
 
 int Lattice::nodeOfDivided(int column, int row, int a, int b) const {
     const int u = divisionOf(column, row);
     if (b == 0 || b == u) {
         const int line = row + (b == u);
-        return horizontalNode(column, line, a * (horizontalDivision(column, line) / u));
+        const int sideDivision = horizontalDivision(column, line);
+        return horizontalNode(column, line, sideDivision == u ? a : a * (sideDivision / u));
     }
     if (a == 0 || a == u) {
         const int line = column + (a == u);
-        return verticalNode(line, row, b * (verticalDivision(line, row) / u));
+        const int sideDivision = verticalDivision(line, row);
+        return verticalNode(line, row, sideDivision == u ? b : b * (sideDivision / u));
     }
     return interiorNodes_[size(cell(column, row))] + (b - 1) * (u - 1) + a - 1;
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace toile::meshing {
 namespace {
@@ -12,56 +11,46 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-/// Angles within 45–140°, as the range of their cosines.
-constexpr double mostCosine = 0.5 * std::numbers::sqrt2, leastCosine = -0.766044443118978;
-
-struct Candidate {
-    int deviation;       ///< cosine of the angle farthest from a right one, without sign [1e-6]: whole, so that draws
-                         ///< are draws
-    std::uint64_t place; ///< decides draws, alike for a piece and its mirror image
-    int a, b;
-    friend auto operator<=>(const Candidate&, const Candidate&) = default;
-};
-
-/// Both triangles at a side as a quadrilateral.
-void judge(const CellMesh& mesh, int side, std::vector<Candidate>& candidates) {
-    const TriangleSides& sides = mesh.strip.sides;
-    const int twin = sides.twinOf(side), a = side / 3, b = twin / 3;
-    if (mesh.triangles[at(a)].region != mesh.triangles[at(b)].region) return;
-    const int low = sides.startOf(side), high = sides.endOf(side);
-    const auto position = [&](int vertex) { return mesh.position[at(mesh.layer.stripNodes[at(vertex)])]; };
-    const std::array<Vec2, 4> quad{position(low), position(sides.apexOf(twin)), position(high),
-                                   position(sides.apexOf(side))};
-    std::array<Vec2, 4> way; // from corner to corner
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Vec2 along = quad[(i + 1) % 4] - quad[i];
-        way[i] = along / std::sqrt(squaredLength(along));
-    }
-    double worst = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Vec2 back = way[(i + 3) % 4] * -1.0;
-        const double cosine = dot(way[i], back);
-        if (cosine > mostCosine || cosine < leastCosine || cross(way[i], back) <= 0) return;
-        worst = std::max(worst, std::abs(cosine));
-    }
-    const std::uint64_t place =
-        std::min(mortonCode(mesh.strip.points[at(low)]), mortonCode(mesh.strip.points[at(high)]));
-    candidates.push_back({static_cast<int>(std::lround(worst * 1e6)), place, std::min(a, b), std::max(a, b)});
-}
+/// Angles within 45–140°: squares of the cosines of both.
+constexpr double squaredCosineOfLeast = 0.5, squaredCosineOfMost = 0.586824088833465;
 
 } // namespace
 
-void mergePairs(CellMesh& mesh) {
-    for (Triangle& triangle : mesh.triangles) triangle.mergedWith = -1;
-    std::vector<Candidate> candidates;
-    for (int side = 0; side < static_cast<int>(mesh.strip.sides.start.size()); ++side)
-        if (mesh.strip.sides.twinOf(side) > side) judge(mesh, side, candidates);
-    std::sort(candidates.begin(), candidates.end());
-    for (const Candidate& pair : candidates) {
-        Triangle &a = mesh.triangles[at(pair.a)], &b = mesh.triangles[at(pair.b)];
-        if (a.mergedWith >= 0 || b.mergedWith >= 0) continue;
-        a.mergedWith = pair.b;
-        b.mergedWith = pair.a;
+/// Both triangles at a side as a quadrilateral.
+void PairMerger::judge(const Strip& strip, int side) {
+    const TriangleSides& sides = strip.sides;
+    const int twin = sides.twinOf(side), a = side / 3, b = twin / 3;
+    if (strip.region[at(a)] != strip.region[at(b)]) return;
+    const int low = sides.startOf(side), high = sides.endOf(side);
+    const std::array<int, 4> quad{low, sides.apexOf(twin), high, sides.apexOf(side)};
+    std::array<Vec2, 4> way; // from corner to corner
+    for (std::size_t i = 0; i < 4; ++i) way[i] = strip.places[at(quad[(i + 1) % 4])] - strip.places[at(quad[i])];
+    for (std::size_t i = 0; i < 4; ++i)
+        if (cross(way[i], way[(i + 1) % 4]) <= 0) return;
+    double worst = 0; // square of a cosine
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec2 out = way[i], back = way[(i + 3) % 4];
+        const double cosine = -dot(out, back); // times both lengths
+        const double square = cosine * cosine / (squaredLength(out) * squaredLength(back));
+        if (square > (cosine > 0 ? squaredCosineOfLeast : squaredCosineOfMost)) return;
+        worst = std::max(worst, square);
+    }
+    const std::uint64_t place = std::min(mortonCode(strip.points[at(low)]), mortonCode(strip.points[at(high)]));
+    candidates_.push_back(
+        {static_cast<int>(std::lround(std::sqrt(worst) * 1e6)), place, std::min(a, b), std::max(a, b)});
+}
+
+void PairMerger::run(Strip& strip) {
+    strip.mergedWith.assign(at(strip.sides.triangles()), -1);
+    candidates_.clear();
+    for (int side = 0; side < static_cast<int>(strip.sides.start.size()); ++side)
+        if (strip.sides.twinOf(side) > side) judge(strip, side);
+    std::sort(candidates_.begin(), candidates_.end());
+    for (const Candidate& pair : candidates_) {
+        int &a = strip.mergedWith[at(pair.a)], &b = strip.mergedWith[at(pair.b)];
+        if (a >= 0 || b >= 0) continue;
+        a = pair.b;
+        b = pair.a;
     }
 }
 

@@ -22,7 +22,10 @@ double unitFor(double halfExtent) {
 } // namespace
 
 GridPoint PieceFrame::gridOf(Vec2 inFrame) const {
-    const auto snap = [&](double value) { return static_cast<std::int32_t>(std::lround(value / unit + phase)); };
+    const auto snap = [&](double value) { // what std::lround gives, without a call of the library
+        const double scaled = value / unit + phase;
+        return static_cast<std::int32_t>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
+    };
     return {snap(inFrame.x), snap(inFrame.y)};
 }
 
@@ -31,7 +34,7 @@ Vec2 PieceFrame::placeOf(GridPoint point) const {
 }
 
 PieceFrame frameFor(double grain, bool mirrored, const std::vector<Vec2>& points, double margin) {
-    PieceFrame frame{grain, mirrored ? -1.0 : 1.0, {}, 1};
+    PieceFrame frame{grain, std::cos(grain), std::sin(grain), mirrored ? -1.0 : 1.0, {}, 1};
     std::vector<Vec2> turned;
     turned.reserve(points.size());
     for (const Vec2 point : points) turned.push_back(frame.frameOf(point));

@@ -2,11 +2,8 @@
 #include "core/meshing/PieceMesher.h"
 
 #include "core/meshing/BorderSpacing.h"
-#include "core/meshing/FinishedPiece.h"
 #include "core/meshing/MainLines.h"
-#include "core/meshing/PairMerge.h"
 #include "core/meshing/Quality.h"
-#include "core/meshing/StripImprovement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +18,10 @@ std::size_t at(int i) {
 /// Whether a triangle's height is more than the rounding of coordinates.
 bool hasArea(const std::vector<Vec2>& places, const std::array<int, 3>& nodes, double leastHeight) {
     const auto corner = [&](std::size_t i) { return places[at(nodes[i % 3])]; };
-    double longest = 0;
-    for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, distance(corner(i), corner(i + 1)));
-    return cross(corner(1) - corner(0), corner(2) - corner(0)) > leastHeight * longest;
+    double longest = 0; // squared
+    for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, squaredLength(corner(i + 1) - corner(i)));
+    const double area = cross(corner(1) - corner(0), corner(2) - corner(0));
+    return area > 0 && area * area > leastHeight * leastHeight * longest;
 }
 
 /// Details of the border as small as the rounding of the grid, and nodes of a straight border beside a rectangle's
@@ -58,7 +56,12 @@ Result<Lattice> laidLattice(const PieceInput& piece, const PieceBoundary& bounda
     MainLines lines = mainLines(piece, boundary, seamEnds, stretches);
     if (auto fits = affordable(piece, lines.x.size(), lines.y.size()); !fits) return tl::unexpected(fits.error());
     Lattice lattice(std::move(lines.x), std::move(lines.y));
-    markActiveCells(boundary.frame, boundary.contours, lattice);
+    if (piece.regions.empty()) return lattice;
+    IntegerLines integerLines;
+    integerLines.assign(boundary.frame, lattice);
+    BorderSegments segments;
+    segments.assign(boundary.contours, integerLines);
+    markActiveCells(integerLines, segments, lattice);
     auto regions = snapRegions(piece, boundary, lattice, warnings);
     if (!regions) return tl::unexpected(regions.error());
     reports = std::move(*regions);
@@ -66,23 +69,27 @@ Result<Lattice> laidLattice(const PieceInput& piece, const PieceBoundary& bounda
     return lattice;
 }
 
-Result<PieceMesh> meshedPiece(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes,
-                              const std::vector<SpacingSeed>& seeds, Lattice lattice) {
-    markActiveCells(boundary.frame, ringPoints(nodes), lattice);
+Result<void> PieceMesher::run(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes,
+                              const std::vector<SpacingSeed>& seeds, const Lattice& laid, PieceMesh& mesh) {
+    const PieceFrame& frame = boundary.frame;
     const bool literal = piece.rule == LineRule::paper;
+    lattice_ = laid;
+    fill_.lines.assign(frame, lattice_);
+    segments_.assign(nodes, fill_.lines);
+    markActiveCells(fill_.lines, segments_, lattice_);
     if (!literal) {
-        seedFromBorder(seeds, lattice);
-        balance(lattice);
+        seedFromBorder(seeds, lattice_);
+        balance(lattice_, open_);
     }
-    if (auto fits = affordable(piece, lattice); !fits) return tl::unexpected(fits.error());
-    lattice.numberNodes();
-    GridFill fill = fillLattice(boundary.frame, nodes, lattice, literal ? paperClearance : clearance);
-    CellMesh cells = cellMesh(boundary.frame, nodes, lattice, fill);
-    improveStrip(boundary.frame, nodes, lattice, fill, cells, {.passes = literal ? 0 : ImprovementSettings{}.passes});
-    mergePairs(cells);
-    PieceMesh mesh = finishedPiece(boundary.frame, nodes, cells).mesh;
-    if (auto sound = everyTriangleHasArea(piece, boundary.frame, mesh); !sound) return tl::unexpected(sound.error());
-    return mesh;
+    if (auto fits = affordable(piece, lattice_); !fits) return tl::unexpected(fits.error());
+    lattice_.number();
+    filler_.run(frame, nodes, segments_, lattice_, literal ? paperClearance : clearance, fill_);
+    const NodePlaces places(frame, nodes, lattice_, fill_, borderPlaces_);
+    improver_.run(frame, nodes, lattice_, places, fill_, layer_, strip_,
+                  {.passes = literal ? 0 : ImprovementSettings{}.passes});
+    merger_.run(strip_);
+    finisher_.run(frame, nodes, lattice_, places, fill_, layer_, strip_, mesh);
+    return everyTriangleHasArea(piece, frame, mesh);
 }
 
 PieceReport pieceReport(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes,

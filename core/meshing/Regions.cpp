@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <deque>
 #include <optional>
 
 namespace toile::meshing {
@@ -88,7 +87,8 @@ double oneSidedDistance(const Polygons& from, const Polygons& to, const Polygons
             const int parts = std::max(1, static_cast<int>(std::ceil(distance(a, b) / step)));
             for (int k = 0; k < parts; ++k) {
                 const Vec2 sample = lerp(a, b, static_cast<double>(k) / parts);
-                if (covers(piece, sample)) worst = std::max(worst, distanceToBorders(to, sample));
+                const double here = distanceToBorders(to, sample);
+                if (here > worst && covers(piece, sample)) worst = here;
             }
         }
     return worst;
@@ -159,7 +159,7 @@ Result<std::vector<RegionReport>> snapRegions(const PieceInput& piece, const Pie
                                                    millimetres(piece.spacing) + "."});
     }
     warnOfOverlaps(piece, regions, lattice, warnings);
-    lattice.hasRegions = true;
+    lattice.makeDivisible();
     for (std::size_t r = 0; r < regions.size(); ++r)
         for (std::size_t c = 0; c < lattice.division.size(); ++c) {
             if (!regions[r].cells[c]) continue;
@@ -181,14 +181,15 @@ Result<std::vector<RegionReport>> snapRegions(const PieceInput& piece, const Pie
     return reports;
 }
 
-void balance(Lattice& lattice) {
-    std::deque<std::pair<int, int>> open;
+void balance(Lattice& lattice, std::vector<std::pair<int, int>>& open) {
+    if (lattice.division.empty()) return;
+    open.clear();
     for (int row = 0; row < lattice.rows(); ++row)
         for (int column = 0; column < lattice.columns(); ++column)
             if (lattice.activeDivision(column, row) > 2) open.emplace_back(column, row);
     while (!open.empty()) {
-        const auto [column, row] = open.front();
-        open.pop_front();
+        const auto [column, row] = open.back();
+        open.pop_back();
         const int least = lattice.activeDivision(column, row) / 2;
         for (int r = row - 1; r <= row + 1; ++r)
             for (int c = column - 1; c <= column + 1; ++c) {
@@ -201,14 +202,20 @@ void balance(Lattice& lattice) {
 }
 
 void seedFromBorder(const std::vector<SpacingSeed>& seeds, Lattice& lattice) {
+    double longest = 0; // side of a cell
+    for (int column = 0; column < lattice.columns(); ++column) longest = std::max(longest, lattice.width(column));
+    for (int row = 0; row < lattice.rows(); ++row) longest = std::max(longest, lattice.height(row));
     for (const SpacingSeed& seed : seeds) {
-        const double spacing = distance(seed.a, seed.b);
+        const double spacing = std::sqrt(squaredLength(seed.b - seed.a));
+        const double most = 2 * spacing * (1 + 1e-9);
+        if (longest <= most) continue;
         const Vec2 middle = lerp(seed.a, seed.b, 0.5);
         const int column = lattice.columnOf(middle.x), row = lattice.rowOf(middle.y);
-        const std::size_t cell = at(lattice.cell(column, row));
         const double side = std::max(lattice.width(column), lattice.height(row));
-        int& u = lattice.division[cell];
-        while (side / u > 2 * spacing * (1 + 1e-9) && 2 * u <= seed.largestDivision) u *= 2;
+        if (side <= most) continue;
+        lattice.makeDivisible();
+        int& u = lattice.division[at(lattice.cell(column, row))];
+        while (side / u > most && 2 * u <= seed.largestDivision) u *= 2;
     }
 }
 
@@ -226,9 +233,10 @@ Result<void> refusedBeyondLimit(const PieceInput& piece, double cells, const std
 } // namespace
 
 Result<void> affordable(const PieceInput& piece, const Lattice& lattice) {
-    double cells = 0;
+    double cells = static_cast<double>(std::count(lattice.active.begin(), lattice.active.end(), char{1}));
     for (std::size_t c = 0; c < lattice.division.size(); ++c)
-        if (lattice.active[c]) cells += static_cast<double>(lattice.division[c]) * lattice.division[c];
+        if (lattice.active[c] && lattice.division[c] > 1)
+            cells += static_cast<double>(lattice.division[c]) * lattice.division[c] - 1;
     return refusedBeyondLimit(piece, cells, "The regions");
 }
 

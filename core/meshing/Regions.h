@@ -13,8 +13,8 @@ namespace toile::meshing {
                                                             Lattice& lattice, std::vector<Warning>& warnings);
 
 /// Neighbouring active cells, also across corners, differ at most by a factor of two afterwards: the coarser
-/// ones are divided further, in rings.
-void balance(Lattice& lattice);
+/// ones are divided further, in rings. `open` is room to work in.
+void balance(Lattice& lattice, std::vector<std::pair<int, int>>& open);
 
 /// A border node spacing that the cells there must not exceed more than twice.
 struct SpacingSeed {

@@ -219,6 +219,16 @@ std::vector<double> BoundaryDivision::fractions(int piece, int loop, int edge) c
     return result;
 }
 
+void BoundaryDivision::describe(int piece, std::vector<double>& description) const {
+    description.clear();
+    for (std::size_t loop = 0; loop < stretches_[at(piece)].size(); ++loop)
+        for (std::size_t edge = 0; edge < stretches_[at(piece)][loop].size(); ++edge) {
+            description.push_back(passed_[at(piece)][loop][edge] ? -1 : -2);
+            for (const Stretch& stretch : stretches_[at(piece)][loop][edge])
+                description.insert(description.end(), {stretch.from, stretch.to, static_cast<double>(count(stretch))});
+        }
+}
+
 bool BoundaryDivision::passesEnd(int piece, int loop, int edge) const {
     return passed_[at(piece)][at(loop)][at(edge)];
 }

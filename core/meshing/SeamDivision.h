@@ -32,6 +32,8 @@ public:
     /// The stretches of the straight edges along the grain of a piece, by axis.
     [[nodiscard]] GrainStretches grainStretches(const PieceInput& piece, int pieceIndex,
                                                 const PieceBoundary& boundary) const;
+    /// All that says where the nodes of a piece's border lie on it.
+    void describe(int piece, std::vector<double>& description) const;
     /// Doubles the number of parts of all stretches of a group.
     void refine(int group) { counts_[static_cast<std::size_t>(group)] *= 2; }
     /// The end of the edge is no node: it lies in a smooth run of edges much shorter than the spacing, as

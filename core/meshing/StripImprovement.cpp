@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/StripImprovement.h"
 
+#include "core/meshing/FlatTriangles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <optional>
 
 namespace toile::meshing {
 namespace {
@@ -19,253 +20,433 @@ std::size_t at(int i) {
 /// greater than this.
 constexpr double flat = std::numeric_limits<double>::infinity();
 
-/// How good a strip is: first the number of triangles below the wanted angle, then the smallest angle.
-struct Grade {
-    int bad = 0;
-    double sharpest = -flat; ///< cotangent of the smallest angle
-
-    [[nodiscard]] bool betterThan(const Grade& other) const {
-        return bad != other.bad ? bad < other.bad : sharpest < other.sharpest;
-    }
-};
-
 double dotAt(GridPoint corner, GridPoint a, GridPoint b) {
     const double ax = static_cast<double>(a.x) - corner.x, ay = static_cast<double>(a.y) - corner.y;
     const double bx = static_cast<double>(b.x) - corner.x, by = static_cast<double>(b.y) - corner.y;
     return ax * bx + ay * by;
 }
 
-class Improver {
-public:
-    Improver(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice, GridFill& fill,
-             CellMesh& mesh, const ImprovementSettings& settings)
-        : frame_(frame), boundary_(boundary), lattice_(lattice), fill_(fill), mesh_(mesh), settings_(settings),
-          wanted_(1 / std::tan(settings.wantedAngle * std::numbers::pi / 180)) {
-        after_.assign(at(mesh.boundaryCount), -1);
-        for (const auto& ring : boundary.rings)
-            for (std::size_t i = 0; i < ring.size(); ++i) after_[at(ring[i])] = ring[(i + 1) % ring.size()];
-    }
+} // namespace
 
-    void run() {
-        triangulateStrip(lattice_, mesh_);
-        std::vector<int> bad = badTriangles();
-        if (bad.empty()) return;
+void StripImprover::run(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice,
+                        const NodePlaces& places, GridFill& fill, CellLayer& layer, Strip& strip,
+                        const ImprovementSettings& settings) {
+    boundary_ = &boundary;
+    lattice_ = &lattice;
+    places_ = &places;
+    fill_ = &fill;
+    layer_ = &layer;
+    strip_ = &strip;
+    settings_ = settings;
+    wanted_ = 1 / std::tan(settings.wantedAngle * std::numbers::pi / 180);
+    moved_.clear();
+    dropped_.clear();
+    added_.clear();
+    after_.resize(boundary.points.size());
+    for (const auto& ring : boundary.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) after_[at(ring[i])] = ring[i + 1 < ring.size() ? i + 1 : 0];
+    collect();
+    triangulate();
+    gradeTriangles();
+    if (!bad_.empty()) {
         keepAsBest();
-        for (int pass = 0; pass < settings_.passes && !bad.empty(); ++pass) {
-            const bool moved = moveNodesOf(bad);
-            const bool freed = (pass % 2 == 1 || !moved) && freeNodesOf(bad);
-            if (!moved && !freed) break;
-            triangulateStrip(lattice_, mesh_);
-            bad = badTriangles();
+        for (int pass = 0; pass < settings_.passes && !bad_.empty(); ++pass) {
+            changed_.clear();
+            const bool moved = moveNodes();
+            const bool freed = (pass % 2 == 1 || !moved) && freeNodes();
+            const bool added = (pass % 2 == 1 || !moved) && addNodes();
+            if (!moved && !freed && !added) break;
+            follow(freed);
+            gradeTriangles();
             if (grade_.betterThan(best_.grade)) keepAsBest();
         }
         restoreBest();
     }
+    finish(frame);
+}
 
-private:
-    [[nodiscard]] GridPoint point(int node) const { return mesh_.grid[at(node)]; }
+/// Walls and nodes of the strip, as the filled cells leave them.
+void StripImprover::collect() {
+    collector_.run(*boundary_, *lattice_, *fill_, *layer_);
+    strip_->points.clear();
+    for (const int node : layer_->stripNodes) strip_->points.push_back(places_->grid(node));
+    for (const auto& [node, place] : moved_)
+        if (layer_->isInStrip(node)) strip_->points[at(layer_->stripIndex[at(node)])] = place;
+}
 
-    /// The corner angle is the border's own: nothing inside can change it.
-    [[nodiscard]] bool isBorderAngle(const std::array<int, 3>& t, std::size_t corner) const {
-        const int here = t[corner], next = t[(corner + 1) % 3], before = t[(corner + 2) % 3];
-        return here < mesh_.boundaryCount && next < mesh_.boundaryCount && before < mesh_.boundaryCount &&
-               after_[at(here)] == next && after_[at(before)] == here;
+void StripImprover::triangulate() {
+    sweep_.run(strip_->points, layer_->walls, strip_->sides);
+    flips_.run(strip_->points, strip_->sides);
+}
+
+/// Triangulates again what a pass has changed: the same as doing all anew, for Delaunay triangles are determined by the
+/// points.
+void StripImprover::follow(bool freed) {
+    if (settings_.anew || (freed && !canFillLocally())) {
+        collect();
+        best_.collected = false;
+        triangulate();
+        return;
     }
+    if (freed) fillDropped();
+    flips_.runFrom(changed_, strip_->points, strip_->sides);
+}
 
-    /// Cotangent of the smallest angle of a triangle, the border's own corners left out; infinite where it has no area
-    /// or is turned over.
-    [[nodiscard]] double sharpness(const std::array<int, 3>& t) const {
-        const GridPoint a = point(t[0]), b = point(t[1]), c = point(t[2]);
-        const std::int64_t area = orientation(a, b, c);
-        if (area <= 0) return flat;
-        const std::array<double, 3> dots{dotAt(a, b, c), dotAt(b, c, a), dotAt(c, a, b)};
-        double sharpest = -flat;
-        for (std::size_t i = 0; i < 3; ++i)
-            if (dots[i] > sharpest && !isBorderAngle(t, i)) sharpest = dots[i];
-        return sharpest / static_cast<double>(area);
+/// The corner where a side starts is the border's own: nothing inside can change its angle.
+bool StripImprover::isBorderAngle(int side) const {
+    const int here = nodeOf(strip_->sides.startOf(side)), next = nodeOf(strip_->sides.endOf(side)),
+              before = nodeOf(strip_->sides.apexOf(side)), count = places_->borderCount();
+    return here < count && next < count && before < count && after_[at(here)] == next && after_[at(before)] == here;
+}
+
+/// Cotangent of the smallest angle of a triangle, the border's own corners left out; infinite where it has no area
+/// or is turned over.
+double StripImprover::sharpness(int triangle) const {
+    const std::array<int, 3> t = strip_->sides.corners(triangle);
+    const GridPoint a = point(t[0]), b = point(t[1]), c = point(t[2]);
+    const std::int64_t area = orientation(a, b, c);
+    if (area <= 0) return flat;
+    const std::array<double, 3> dots{dotAt(a, b, c), dotAt(b, c, a), dotAt(c, a, b)};
+    double sharpest = -flat;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (dots[i] > sharpest && !isBorderAngle(3 * triangle + static_cast<int>(i))) sharpest = dots[i];
+    return sharpest / static_cast<double>(area);
+}
+
+/// Cotangent of the smallest angle of a triangle that has a free node, and so no corner of the border's own.
+double StripImprover::freeSharpness(int triangle) const {
+    const std::array<int, 3> t = strip_->sides.corners(triangle);
+    const GridPoint a = point(t[0]), b = point(t[1]), c = point(t[2]);
+    const std::int64_t area = orientation(a, b, c);
+    if (area <= 0) return flat;
+    return std::max({dotAt(a, b, c), dotAt(b, c, a), dotAt(c, a, b)}) / static_cast<double>(area);
+}
+
+/// Grades the strip and lists what is below the wanted angle; flat triangles are among that, and are turned first.
+void StripImprover::gradeTriangles() {
+    gradeOnce();
+    if (!bad_.empty() && turnFlatTriangles(bad_, strip_->points, strip_->sides)) gradeOnce();
+}
+
+void StripImprover::gradeOnce() {
+    bad_.clear();
+    grade_ = {0, -flat};
+    for (int t = 0; t < strip_->sides.triangles(); ++t) {
+        const double sharp = sharpness(t);
+        grade_.sharpest = std::max(grade_.sharpest, sharp);
+        if (sharp > wanted_) bad_.push_back(t);
     }
+    grade_.bad = static_cast<int>(bad_.size());
+}
 
-    void keepAsBest() {
-        best_ = {grade_, mesh_.triangles, mesh_.strip.sides, {}, {}};
-        for (const int node : mesh_.layer.stripNodes)
-            if (node >= mesh_.boundaryCount) best_.places.emplace_back(node, mesh_.grid[at(node)]);
+void StripImprover::keepAsBest() {
+    best_.grade = grade_;
+    best_.points = strip_->points;
+    best_.sides = strip_->sides;
+    best_.stripNodes = layer_->stripNodes;
+    best_.isFree = layer_->isFree;
+    best_.dropped = dropped_.size();
+    best_.added = added_.size();
+    best_.collected = true;
+}
+
+/// Fills what was given up since, and gives back the nodes taken since; mixed cells are listed again.
+void StripImprover::restoreBest() {
+    for (; added_.size() > best_.added; added_.pop_back()) {
+        fill_->node[at(added_.back())] = -1;
+        fill_->inner[at(added_.back())] = 0;
+        fill_->latticeNode.pop_back();
     }
+    for (std::size_t i = best_.dropped; i < dropped_.size(); ++i) fill_->filled[at(dropped_[i])] = 1;
+    if (!best_.collected) collector_.run(*boundary_, *lattice_, *fill_, *layer_);
+    layer_->stripNodes = best_.stripNodes;
+    layer_->isFree = best_.isFree;
+    for (std::size_t v = 0; v < best_.stripNodes.size(); ++v)
+        layer_->stripIndex[at(best_.stripNodes[v])] = static_cast<int>(v);
+    strip_->points = best_.points;
+    strip_->sides = best_.sides;
+}
 
-    void restoreBest() {
-        for (const int node : mesh_.layer.stripNodes) // also those that were cells' corners in the best mesh
-            if (node >= mesh_.boundaryCount) place(node, fill_.innerGrid[at(node - mesh_.boundaryCount)]);
-        if (best_.layer) mesh_.layer = std::move(*best_.layer);
-        for (const auto& [node, at] : best_.places) place(node, at);
-        mesh_.triangles = std::move(best_.triangles);
-        mesh_.strip.sides = std::move(best_.sides);
-        mesh_.strip.points.clear();
-        for (const int node : mesh_.layer.stripNodes) mesh_.strip.points.push_back(point(node));
+/// Places of the nodes, and the region of each triangle: that of the main cell in which its middle lies.
+void StripImprover::finish(const PieceFrame& frame) {
+    strip_->places.clear();
+    for (std::size_t v = 0; v < strip_->points.size(); ++v) {
+        const int node = layer_->stripNodes[v];
+        const bool lies = !layer_->isFree[v] || strip_->points[v] == places_->grid(node);
+        strip_->places.push_back(lies ? (*places_)(node) : frame.placeOf(strip_->points[v]));
     }
-
-    /// Sets a node that is the strip's own; on its lattice place it has the lattice's coordinates.
-    void place(int node, GridPoint grid) {
-        const std::size_t inner = at(node - mesh_.boundaryCount);
-        mesh_.grid[at(node)] = grid;
-        mesh_.position[at(node)] = grid == fill_.innerGrid[inner] ? fill_.inner[inner] : frame_.placeOf(grid);
+    strip_->region.assign(at(strip_->sides.triangles()), -1);
+    if (lattice_->region.empty()) return;
+    for (int t = 0; t < strip_->sides.triangles(); ++t) {
+        Vec2 middle;
+        for (const int corner : strip_->sides.corners(t)) middle += strip_->places[at(corner)] / 3.0;
+        strip_->region[at(t)] =
+            lattice_->regionOf(lattice_->cell(lattice_->columnOf(middle.x), lattice_->rowOf(middle.y)));
     }
+}
 
-    /// Grades the strip and lists what is below the wanted angle.
-    std::vector<int> badTriangles() {
-        std::vector<int> bad;
-        grade_ = {};
-        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-            const double sharp = sharpness(mesh_.triangles[t].nodes);
-            grade_.sharpest = std::max(grade_.sharpest, sharp);
-            if (sharp > wanted_) bad.push_back(static_cast<int>(t));
+/// Collects the triangles of each strip node.
+void StripImprover::collectStars() {
+    const std::vector<int>& corners = strip_->sides.start;
+    firstOfStar_.assign(strip_->points.size() + 1, 0);
+    for (const int vertex : corners) ++firstOfStar_[at(vertex)];
+    std::partial_sum(firstOfStar_.begin(), firstOfStar_.end(), firstOfStar_.begin());
+    stars_.resize(corners.size());
+    for (std::size_t side = corners.size(); side-- > 0;)
+        stars_[at(--firstOfStar_[at(corners[side])])] = static_cast<int>(side / 3);
+}
+
+std::span<const int> StripImprover::star(int vertex) const {
+    const int first = firstOfStar_[at(vertex)];
+    return std::span(stars_).subspan(at(first), at(firstOfStar_[at(vertex) + 1] - first));
+}
+
+bool StripImprover::moveNodes() {
+    constexpr std::size_t crowded = 24; // triangles: a node of so many cannot have good angles
+    movable_.clear();
+    for (const int t : bad_)
+        for (const int vertex : strip_->sides.corners(t))
+            if (layer_->isFree[at(vertex)]) movable_.push_back(vertex);
+    if (movable_.empty()) return false;
+    std::sort(movable_.begin(), movable_.end(), [&](int a, int b) { return nearerMiddle(point(a), point(b)); });
+    movable_.erase(std::unique(movable_.begin(), movable_.end()), movable_.end());
+    collectStars();
+    bool moved = false;
+    for (const int vertex : movable_)
+        if (star(vertex).size() < crowded) moved |= moveNode(vertex);
+    return moved;
+}
+
+/// Cotangent of the smallest angle of the star of a free node, or one that is not below the limit; infinite if a
+/// triangle would turn over.
+double StripImprover::starSharpness(std::span<const int> triangles, double limit) const {
+    double sharpest = -flat;
+    for (const int t : triangles) {
+        sharpest = std::max(sharpest, freeSharpness(t));
+        if (sharpest >= limit) break;
+    }
+    return sharpest;
+}
+
+/// Tries steps all round that shrink, on both sides of the piece's middle in the mirrored order.
+bool StripImprover::moveNode(int vertex) {
+    constexpr double leastGain = 1e-6; // [rad]: the cotangent of an angle falls by 1 + its square
+    const GridPoint before = point(vertex);
+    GridPoint& place = strip_->points[at(vertex)];
+    const std::span<const int> triangles = star(vertex);
+    double best = starSharpness(triangles, flat);
+    double squaredReach = 0;
+    for (const int t : triangles)
+        for (const int other : strip_->sides.corners(t)) {
+            const double x = static_cast<double>(point(other).x) - before.x,
+                         y = static_cast<double>(point(other).y) - before.y;
+            squaredReach = std::max(squaredReach, x * x + y * y);
         }
-        grade_.bad = static_cast<int>(bad.size());
-        return bad;
-    }
-
-    /// Collects the triangles of each strip node.
-    void collectStars() {
-        firstOfStar_.assign(mesh_.layer.stripNodes.size() + 1, 0);
-        const std::vector<int>& corners = mesh_.strip.sides.start;
-        for (const int vertex : corners) ++firstOfStar_[at(vertex)];
-        std::partial_sum(firstOfStar_.begin(), firstOfStar_.end(), firstOfStar_.begin());
-        stars_.resize(corners.size());
-        for (std::size_t side = corners.size(); side-- > 0;)
-            stars_[--firstOfStar_[at(corners[side])]] = static_cast<int>(side / 3);
-    }
-
-    [[nodiscard]] std::size_t stripIndex(int node) const { return at(mesh_.layer.stripIndex[at(node)]); }
-
-    /// The triangles at a strip node.
-    [[nodiscard]] std::span<const int> star(int node) const {
-        const std::size_t i = stripIndex(node);
-        return std::span(stars_).subspan(firstOfStar_[i], firstOfStar_[i + 1] - firstOfStar_[i]);
-    }
-
-    [[nodiscard]] bool isFree(int node) const { return node >= mesh_.boundaryCount && !mesh_.layer.held[at(node)]; }
-
-    bool moveNodesOf(const std::vector<int>& bad) {
-        constexpr std::size_t crowded = 24; // triangles: a node of so many cannot have good angles
-        bool moved = false;
-        collectStars();
-        std::vector<int> nodes;
-        for (const int t : bad)
-            for (const int node : mesh_.triangles[at(t)].nodes)
-                if (isFree(node) && star(node).size() < crowded) nodes.push_back(node);
-        std::sort(nodes.begin(), nodes.end(),
-                  [&](int a, int b) { return mortonCode(point(a)) < mortonCode(point(b)); });
-        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-        for (const int node : nodes) moved |= moveNode(node);
-        return moved;
-    }
-
-    /// Cotangent of the smallest angle of the star; infinite if a triangle would turn over.
-    [[nodiscard]] double starSharpness(std::span<const int> triangles) const {
-        double sharpest = -flat;
-        for (const int t : triangles) sharpest = std::max(sharpest, sharpness(mesh_.triangles[at(t)].nodes));
-        return sharpest;
-    }
-
-    /// Tries the middle of the star and steps that shrink.
-    bool moveNode(int node) {
-        constexpr double leastGain = 1e-6; // [rad]: the cotangent of an angle falls by 1 + its square
-        const GridPoint before = point(node);
-        const std::span<const int> triangles = star(node);
-        double best = starSharpness(triangles);
-        double reach = 0;
-        for (const int t : triangles)
-            for (const int other : mesh_.triangles[at(t)].nodes)
-                reach = std::max(reach, std::hypot(static_cast<double>(point(other).x) - before.x,
-                                                   static_cast<double>(point(other).y) - before.y));
-        for (double step = 0.3 * reach; step > 0.02 * reach; step *= 0.6)
-            for (int direction = 0; direction < 8; ++direction) {
-                const GridPoint here = point(node);
-                const double dx = std::array<double, 8>{1, 0.7, 0, -0.7, -1, -0.7, 0, 0.7}[at(direction)];
-                const double dy = std::array<double, 8>{0, 0.7, 1, 0.7, 0, -0.7, -1, -0.7}[at(direction)];
-                mesh_.grid[at(node)] = {here.x + static_cast<std::int32_t>(std::lround(dx * step)),
-                                        here.y + static_cast<std::int32_t>(std::lround(dy * step))};
-                const double sharp = starSharpness(triangles);
-                if (sharp < best - leastGain * (1 + best * best)) best = sharp;
-                else mesh_.grid[at(node)] = here;
-            }
-        if (point(node) == before) return false;
-        mesh_.position[at(node)] = frame_.placeOf(point(node));
-        return true;
-    }
-
-    /// Gives up the rectangles round one staircase corner of each bad triangle, the cheapest first.
-    bool freeNodesOf(const std::vector<int>& bad) {
-        const std::vector<std::vector<int>> cellsAt = cellsAtCorners(bad);
-        std::vector<int> dropped;
-        for (const int t : bad) {
-            int cheapest = -1;
-            std::size_t fewest = 4;
-            for (const int node : mesh_.triangles[at(t)].nodes) {
-                const auto& cells = cellsAt[stripIndex(node)];
-                if (node < mesh_.boundaryCount || cells.empty() || cells.size() >= fewest) continue;
-                cheapest = node;
-                fewest = cells.size();
-            }
-            if (cheapest < 0) continue;
-            const auto& cells = cellsAt[stripIndex(cheapest)];
-            dropped.insert(dropped.end(), cells.begin(), cells.end());
+    const double reach = std::sqrt(squaredReach), outwards = before.x < 0 ? -1 : 1;
+    for (double step = 0.3 * reach; step > 0.02 * reach; step *= 0.6)
+        for (int direction = 0; direction < 8; ++direction) {
+            const GridPoint here = place;
+            const double dx = outwards * std::array<double, 8>{1, 0.7, 0, -0.7, -1, -0.7, 0, 0.7}[at(direction)];
+            const double dy = std::array<double, 8>{0, 0.7, 1, 0.7, 0, -0.7, -1, -0.7}[at(direction)];
+            place = {here.x + static_cast<std::int32_t>(std::lround(dx * step)),
+                     here.y + static_cast<std::int32_t>(std::lround(dy * step))};
+            const double least = best < flat ? best - leastGain * (1 + best * best) : flat;
+            const double sharp = starSharpness(triangles, least);
+            if (sharp < least) best = sharp;
+            else place = here;
         }
-        if (!dropped.empty()) rebuildWithout(dropped);
-        return !dropped.empty();
-    }
+    if (place == before) return false;
+    moved_.emplace_back(nodeOf(vertex), place);
+    for (const int t : triangles) changed_.insert(changed_.end(), {3 * t, 3 * t + 1, 3 * t + 2});
+    return true;
+}
 
-    /// The cells at the corners of these triangles, by strip node.
-    [[nodiscard]] std::vector<std::vector<int>> cellsAtCorners(const std::vector<int>& triangles) const {
-        std::vector<char> asked(mesh_.grid.size(), 0);
-        for (const int t : triangles)
-            for (const int node : mesh_.triangles[at(t)].nodes) asked[at(node)] = 1;
-        std::vector<std::vector<int>> cells(mesh_.layer.stripNodes.size());
-        for (std::size_t c = 0; c < mesh_.layer.cells.size(); ++c) {
-            const Cell& cell = mesh_.layer.cells[c];
-            const auto enter = [&](int node) {
-                if (asked[at(node)]) cells[stripIndex(node)].push_back(static_cast<int>(c));
-            };
-            for (const int node : cell.corners) enter(node);
-            for (std::size_t side = 0; cell.hanging >= 0 && side < 4; ++side)
-                for (const int node : hangingOn(mesh_.layer, cell, side)) enter(node);
+/// Gives up the rectangles round one staircase corner of each bad triangle, the cheapest first.
+bool StripImprover::freeNodes() {
+    droppedBefore_ = dropped_.size();
+    if (!layer_->mixed.empty()) listMixedCells();
+    for (const int t : bad_) {
+        int cheapest = -1;
+        std::size_t fewest = 4;
+        for (const int vertex : strip_->sides.corners(t)) {
+            if (isBorder(vertex)) continue;
+            listCells(vertex);
+            if (cells_.empty() || cells_.size() > fewest) continue;
+            if (cells_.size() == fewest && (cheapest < 0 || nearerMiddle(point(cheapest), point(vertex)))) continue;
+            cheapest = vertex;
+            fewest = cells_.size();
         }
-        return cells;
+        if (cheapest < 0) continue;
+        listCells(cheapest);
+        dropped_.insert(dropped_.end(), cells_.begin(), cells_.end());
     }
+    const auto asked = dropped_.begin() + static_cast<std::ptrdiff_t>(droppedBefore_);
+    std::sort(asked, dropped_.end());
+    dropped_.erase(std::unique(asked, dropped_.end()), dropped_.end());
+    for (std::size_t i = droppedBefore_; i < dropped_.size(); ++i) fill_->filled[at(dropped_[i])] = 0;
+    return dropped_.size() > droppedBefore_;
+}
 
-    void rebuildWithout(const std::vector<int>& dropped) {
-        for (const int c : dropped) fill_.filled[at(mesh_.layer.cells[at(c)].index)] = 0;
-        CellLayer layer = cellLayer(boundary_, lattice_, fill_);
-        if (!best_.layer) best_.layer = std::move(mesh_.layer);
-        mesh_.layer = std::move(layer);
+/// Puts a node beside each bad triangle that has border nodes alone: moving and freeing cannot mend it.
+bool StripImprover::addNodes() {
+    bool added = false;
+    for (const int t : bad_) {
+        const auto corners = strip_->sides.corners(t);
+        if (std::all_of(corners.begin(), corners.end(), [&](int vertex) { return isBorder(vertex); }))
+            added |= addNodeBeside(t);
     }
+    return added;
+}
 
-    /// The best strip so far, without copying what is not its own.
-    struct Best {
-        Grade grade;
-        std::vector<Triangle> triangles;
-        TriangleSides sides;
-        std::vector<std::pair<int, GridPoint>> places; ///< of the nodes of its strip
-        std::optional<CellLayer> layer;                ///< empty while it is the mesh's own
+/// Takes a lattice node that was cleared, and puts it into the triangle beyond the longest side that is no wall, so
+/// near to that side that it lies in the circle of both.
+bool StripImprover::addNodeBeside(int triangle) {
+    const TriangleSides& sides = strip_->sides;
+    int longest = -1;
+    double most = 0;
+    for (int side = 3 * triangle; side < 3 * triangle + 3; ++side) {
+        if (sides.twinOf(side) < 0) continue;
+        const double square = dotAt(point(sides.startOf(side)), point(sides.endOf(side)), point(sides.endOf(side)));
+        if (square > most) longest = side;
+        most = std::max(most, square);
+    }
+    if (longest < 0) return false;
+    const GridPoint a = point(sides.startOf(longest)), b = point(sides.endOf(longest)),
+                    c = point(sides.apexOf(sides.twinOf(longest)));
+    const auto between = [](std::int32_t p, std::int32_t q, std::int32_t r) {
+        return static_cast<std::int32_t>(std::lround(0.4 * p + 0.4 * q + 0.2 * r));
     };
+    const GridPoint place{between(a.x, b.x, c.x), between(a.y, b.y, c.y)};
+    const int latticeNode = unusedCornerNear(place);
+    if (latticeNode < 0 || orientation(b, a, place) <= 0 || orientation(a, c, place) <= 0 ||
+        orientation(c, b, place) <= 0)
+        return false;
+    const int node = places_->borderCount() + static_cast<int>(fill_->latticeNode.size());
+    fill_->node[at(latticeNode)] = node;
+    fill_->inner[at(latticeNode)] = 1;
+    fill_->latticeNode.push_back(latticeNode);
+    added_.push_back(latticeNode);
+    layer_->stripIndex.push_back(-1);
+    moved_.emplace_back(node, place);
+    const int vertex = layer_->addToStrip(node, true);
+    strip_->points.push_back(place);
+    const auto changed = splitTriangle(strip_->sides, sides.twinOf(longest) / 3, vertex);
+    changed_.insert(changed_.end(), changed.begin(), changed.end());
+    return true;
+}
 
-    const PieceFrame& frame_;
-    const BoundaryNodes& boundary_;
-    const Lattice& lattice_;
-    GridFill& fill_;
-    CellMesh& mesh_;
-    ImprovementSettings settings_;
-    double wanted_;
-    Grade grade_;
-    Best best_;
-    std::vector<int> after_;
-    std::vector<std::size_t> firstOfStar_; ///< of each strip node, into stars_
-    std::vector<int> stars_;
-};
+/// The nearest corner of main cells that is not used, of those round a place; −1 if there is none.
+int StripImprover::unusedCornerNear(GridPoint place) const {
+    const IntegerLines& lines = fill_->lines;
+    const int column = lines.x.interval(place.x), row = lines.y.interval(place.y);
+    int nearest = -1;
+    double least = 0;
+    for (int r = std::max(0, row - 1); r <= std::min(lattice_->rows(), row + 2); ++r)
+        for (int c = std::max(0, column - 1); c <= std::min(lattice_->columns(), column + 2); ++c) {
+            const GridPoint corner{lines.x[c], lines.y[r]};
+            const double square = dotAt(place, corner, corner);
+            if (fill_->node[at(lattice_->corner(c, r))] >= 0 || (nearest >= 0 && square >= least)) continue;
+            nearest = lattice_->corner(c, r);
+            least = square;
+        }
+    return nearest;
+}
 
-} // namespace
+/// Only whole cells away from divided ones were given up.
+bool StripImprover::canFillLocally() const {
+    if (lattice_->isUniform()) return true;
+    const int width = lattice_->columns() + 2;
+    return std::all_of(dropped_.begin() + static_cast<std::ptrdiff_t>(droppedBefore_), dropped_.end(), [&](int cell) {
+        if (cell >= lattice_->wholeCell(0, lattice_->rows())) return false;
+        for (const int beside : {-width - 1, -width, -width + 1, -1, 0, 1, width - 1, width, width + 1})
+            if (lattice_->isMixed((cell + beside) % width - 1, (cell + beside) / width - 1)) return false;
+        return true;
+    });
+}
 
-void improveStrip(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice, GridFill& fill,
-                  CellMesh& mesh, const ImprovementSettings& settings) {
-    Improver(frame, boundary, lattice, fill, mesh, settings).run();
+/// Adds the two triangles of each cell that the pass has given up, and joins them to what they touch.
+void StripImprover::fillDropped() {
+    const int width = lattice_->columns() + 2;
+    const auto dropped = std::span(dropped_).subspan(droppedBefore_);
+    const int firstSide = static_cast<int>(strip_->sides.start.size());
+    for (const int cell : dropped) {
+        const int low = lattice_->corner(cell % width - 1, cell / width - 1), high = low + lattice_->columns() + 1;
+        std::array<int, 4> c{low, low + 1, high + 1, high};
+        for (int& corner : c) {
+            addVertexOf(corner);
+            corner = layer_->stripIndex[at(fill_->node[at(corner)])];
+        }
+        const int side = static_cast<int>(strip_->sides.start.size());
+        strip_->sides.start.insert(strip_->sides.start.end(), {c[0], c[1], c[2], c[0], c[2], c[3]});
+        strip_->sides.twin.insert(strip_->sides.twin.end(), {-1, -1, side + 3, side + 2, -1, -1});
+    }
+    matchNewSides(firstSide);
+    for (int side = firstSide; side < static_cast<int>(strip_->sides.start.size()); ++side) changed_.push_back(side);
+}
+
+/// A corner of a cell given up is a node of the strip now; and free, if no other cell has it.
+void StripImprover::addVertexOf(int latticeNode) {
+    const int node = fill_->node[at(latticeNode)];
+    const int vertex = layer_->addToStrip(node, false);
+    if (at(vertex) == strip_->points.size()) strip_->points.push_back(places_->grid(node));
+    if (isBorder(vertex)) return;
+    const int column = latticeNode % (lattice_->columns() + 1), row = latticeNode / (lattice_->columns() + 1);
+    const auto filled = [&](int c, int r) { return fill_->filled[at(lattice_->wholeCell(c, r))] != 0; };
+    layer_->isFree[at(vertex)] =
+        !filled(column, row) && !filled(column - 1, row) && !filled(column, row - 1) && !filled(column - 1, row - 1);
+}
+
+/// What was a wall between the strip and a cell given up is one no more, nor is what lies between two of them.
+void StripImprover::matchNewSides(int firstSide) {
+    TriangleSides& sides = strip_->sides;
+    openSides_.clear();
+    touched_.assign(strip_->points.size(), 0);
+    for (std::size_t side = at(firstSide); side < sides.start.size(); ++side) touched_[at(sides.start[side])] = 1;
+    for (int side = 0; side < static_cast<int>(sides.start.size()); ++side)
+        if (sides.twinOf(side) < 0 && touched_[at(sides.startOf(side))])
+            openSides_.push_back({sides.startOf(side), sides.endOf(side), side});
+    std::sort(openSides_.begin(), openSides_.end());
+    for (int side = firstSide; side < static_cast<int>(sides.start.size()); ++side) {
+        if (sides.twinOf(side) >= 0) continue;
+        const auto twin = std::lower_bound(openSides_.begin(), openSides_.end(),
+                                           std::array{sides.endOf(side), sides.startOf(side), 0});
+        if (twin == openSides_.end() || (*twin)[0] != sides.endOf(side) || (*twin)[1] != sides.startOf(side)) continue;
+        sides.twin[at(side)] = (*twin)[2];
+        sides.twin[at((*twin)[2])] = side;
+    }
+}
+
+/// The mixed cells at the nodes of bad triangles.
+void StripImprover::listMixedCells() {
+    asked_.assign(layer_->stripIndex.size(), 0);
+    for (const int t : bad_)
+        for (const int vertex : strip_->sides.corners(t)) asked_[at(nodeOf(vertex))] = 1;
+    mixedAt_.clear();
+    for (const MixedCell& cell : layer_->mixed) {
+        const auto enter = [&](int node) {
+            if (asked_[at(node)]) mixedAt_.emplace_back(node, cell.index);
+        };
+        for (const int node : cell.corners) enter(node);
+        for (int k = cell.hanging[0]; k < cell.hanging[4]; ++k) enter(layer_->hangingNodes[at(k)]);
+    }
+    std::sort(mixedAt_.begin(), mixedAt_.end());
+}
+
+/// The cells that have a node at a corner or on a side.
+void StripImprover::listCells(int vertex) {
+    cells_.clear();
+    const int node = nodeOf(vertex), latticeNode = places_->latticeNode(node);
+    if (latticeNode < lattice_->cornerCount()) {
+        const int column = latticeNode % (lattice_->columns() + 1), row = latticeNode / (lattice_->columns() + 1);
+        for (const int r : {row - 1, row})
+            for (const int c : {column - 1, column})
+                if (fill_->filled[at(lattice_->wholeCell(c, r))] && !lattice_->isMixed(c, r))
+                    cells_.push_back(lattice_->wholeCell(c, r));
+    }
+    if (layer_->mixed.empty()) return;
+    for (auto cell = std::lower_bound(mixedAt_.begin(), mixedAt_.end(), std::pair(node, 0));
+         cell != mixedAt_.end() && cell->first == node; ++cell)
+        cells_.push_back(cell->second);
 }
 
 } // namespace toile::meshing

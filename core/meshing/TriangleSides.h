@@ -41,4 +41,19 @@ inline void turnDiagonal(TriangleSides& sides, int side) {
     setTwin(after, twinAfter);
 }
 
+/// Divides a triangle at a point inside it. Returns the three sides across from the point.
+inline std::array<int, 3> splitTriangle(TriangleSides& sides, int triangle, int vertex) {
+    const int first = 3 * triangle, one = static_cast<int>(sides.start.size()), two = one + 3;
+    const auto [a, b, c] = sides.corners(triangle);
+    const int outerOne = sides.twinOf(first + 1), outerTwo = sides.twinOf(first + 2);
+    sides.start[static_cast<std::size_t>(first) + 2] = vertex;
+    sides.start.insert(sides.start.end(), {b, c, vertex, c, a, vertex});
+    sides.twin.insert(sides.twin.end(), {outerOne, two + 2, first + 1, outerTwo, first + 2, one + 1});
+    sides.twin[static_cast<std::size_t>(first) + 1] = one + 2;
+    sides.twin[static_cast<std::size_t>(first) + 2] = two + 1;
+    if (outerOne >= 0) sides.twin[static_cast<std::size_t>(outerOne)] = one;
+    if (outerTwo >= 0) sides.twin[static_cast<std::size_t>(outerTwo)] = two;
+    return {first, one, two};
+}
+
 } // namespace toile::meshing

@@ -212,7 +212,7 @@ inline int Triangulation::mirrorIndex(int f, int i) const {
     return next(indexOf(other, t.corner[static_cast<std::size_t>(next(i))]));
 }
 
-/// Of four points on one circle the first has the diagonal.
+/// Of four points on one circle that nearest to the middle has the diagonal.
 inline bool Triangulation::locallyDelaunay(int f, int i) const {
     const Face& t = face(f);
     const auto s = static_cast<std::size_t>(i);
@@ -221,7 +221,8 @@ inline bool Triangulation::locallyDelaunay(int f, int i) const {
     const int side = circleSide(at(t.corner[0]), at(t.corner[1]), at(t.corner[2]), at(apex));
     if (side != 0) return side < 0;
     const auto corner = [&](int k) { return at(t.corner[static_cast<std::size_t>(k)]); };
-    return std::min(corner(next(i)), corner(previous(i))) < std::min(corner(i), at(apex));
+    return nearerMiddle(std::min(corner(next(i)), corner(previous(i)), nearerMiddle),
+                        std::min(corner(i), at(apex), nearerMiddle));
 }
 
 /// Turns the diagonal of the two faces at side i of f. Afterwards corner 0 of both is what was corner i of f.
