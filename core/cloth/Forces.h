@@ -5,6 +5,7 @@
 #include "core/cloth/HessianSink.h"
 
 #include <span>
+#include <vector>
 
 namespace toile::cloth {
 
@@ -37,8 +38,12 @@ void gatherToMasters(const ClothModel& model, std::span<Vec3> forces);
 /// Puts slaves where their masters say.
 void placeSlaves(const ClothModel& model, std::span<Vec3> positions);
 
-/// Upper bound of the largest squared angular frequency [1/s²] near rest: Gershgorin rows of M⁻¹K, slaves' shares
-/// given to their masters. 0 for a cloth without elements. Positions are read for hinges only.
+/// Gershgorin rows of M⁻¹K near rest [1/s²], one per particle, slaves' shares given to their masters: the largest
+/// bounds every squared angular frequency. 0 for what is pinned, a slave, or without elements. Positions are read for
+/// hinges only.
+[[nodiscard]] std::vector<double> frequenciesSquared(const ClothModel& model, std::span<const Vec3> positions = {});
+
+/// The largest of them; 0 for a cloth without elements.
 [[nodiscard]] double largestFrequencySquared(const ClothModel& model, std::span<const Vec3> positions = {});
 
 /// The largest such row of K [N/m]: what a displacement of one particle can cause, for the rounding floor of forces.

@@ -84,7 +84,7 @@ std::vector<double> rowSums(const ClothModel& model, std::span<const Vec3> posit
 
 } // namespace
 
-double largestFrequencySquared(const ClothModel& model, std::span<const Vec3> positions) {
+std::vector<double> frequenciesSquared(const ClothModel& model, std::span<const Vec3> positions) {
     expects(model.hinges.empty() || positions.size() == model.mass.size(), "hinges are bounded where they are");
     std::vector<double> rows = rowSums(model, positions);
     std::vector<char> held(model.mass.size(), 0);
@@ -93,13 +93,17 @@ double largestFrequencySquared(const ClothModel& model, std::span<const Vec3> po
         for (const auto& [master, weight] : slave.masters) rows[master] += std::abs(weight) * rows[slave.particle];
         held[slave.particle] = 1;
     }
-    double largest = 0;
     for (std::size_t p = 0; p < rows.size(); ++p) {
-        if (held[p] || rows[p] == 0) continue;
-        largest =
-            std::max(largest, model.mass[p] > 0 ? rows[p] / model.mass[p] : std::numeric_limits<double>::infinity());
+        if (held[p]) rows[p] = 0;
+        if (rows[p] == 0) continue;
+        rows[p] = model.mass[p] > 0 ? rows[p] / model.mass[p] : std::numeric_limits<double>::infinity();
     }
-    return largest;
+    return rows;
+}
+
+double largestFrequencySquared(const ClothModel& model, std::span<const Vec3> positions) {
+    const auto each = frequenciesSquared(model, positions);
+    return each.empty() ? 0 : std::ranges::max(each);
 }
 
 double largestStiffness(const ClothModel& model, std::span<const Vec3> positions) {

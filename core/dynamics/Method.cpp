@@ -6,6 +6,7 @@
 #include "core/dynamics/BaraffWitkin.h"
 #include "core/dynamics/Bdf2.h"
 #include "core/dynamics/RungeKutta4.h"
+#include "core/dynamics/SubcycledEuler.h"
 #include "core/dynamics/SymplecticEuler.h"
 #include "core/dynamics/XpbdIntegrator.h"
 
@@ -16,15 +17,16 @@
 namespace toile::dynamics {
 namespace {
 
-constexpr std::array<std::pair<Method, std::string_view>, 9> names{{{Method::xpbd, "xpbd"},
-                                                                    {Method::trBdf2, "trbdf2"},
-                                                                    {Method::backwardEuler, "backward-euler"},
-                                                                    {Method::bdf2, "bdf2"},
-                                                                    {Method::midpoint, "midpoint"},
-                                                                    {Method::sdirk4, "sdirk4"},
-                                                                    {Method::rk4, "rk4"},
-                                                                    {Method::symplecticEuler, "symplectic-euler"},
-                                                                    {Method::baraffWitkin, "baraff-witkin"}}};
+constexpr std::array<std::pair<Method, std::string_view>, 10> names{{{Method::xpbd, "xpbd"},
+                                                                     {Method::trBdf2, "trbdf2"},
+                                                                     {Method::backwardEuler, "backward-euler"},
+                                                                     {Method::bdf2, "bdf2"},
+                                                                     {Method::midpoint, "midpoint"},
+                                                                     {Method::sdirk4, "sdirk4"},
+                                                                     {Method::rk4, "rk4"},
+                                                                     {Method::symplecticEuler, "symplectic-euler"},
+                                                                     {Method::subcycledEuler, "subcycled-euler"},
+                                                                     {Method::baraffWitkin, "baraff-witkin"}}};
 
 } // namespace
 
@@ -72,6 +74,8 @@ std::unique_ptr<Integrator> makeIntegrator(Method method, const cloth::ClothMode
     case Method::rk4: return std::make_unique<RungeKutta4>(model, RungeKutta4Settings{.damping = settings.damping});
     case Method::symplecticEuler:
         return std::make_unique<SymplecticEuler>(model, SymplecticEulerSettings{.damping = settings.damping});
+    case Method::subcycledEuler:
+        return std::make_unique<SubcycledEuler>(model, SubcycledEulerSettings{.damping = settings.damping});
     case Method::baraffWitkin: return std::make_unique<BaraffWitkin>(model, implicit);
     }
     expects(false, "a method without an integrator");

@@ -9,7 +9,18 @@
 namespace toile::dynamics {
 
 /// The methods of integration by the names that the command line gives them.
-enum class Method { xpbd, trBdf2, backwardEuler, bdf2, midpoint, sdirk4, rk4, symplecticEuler, baraffWitkin };
+enum class Method {
+    xpbd,
+    trBdf2,
+    backwardEuler,
+    bdf2,
+    midpoint,
+    sdirk4,
+    rk4,
+    symplecticEuler,
+    subcycledEuler,
+    baraffWitkin
+};
 
 [[nodiscard]] std::span<const Method> allMethods();
 [[nodiscard]] std::string_view nameOf(Method method);

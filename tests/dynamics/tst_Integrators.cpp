@@ -65,8 +65,8 @@ std::unique_ptr<Integrator> made(const Way& way, const ClothModel& model, dynami
 }
 
 bool isFirstOrder(Method method) {
-    return method == Method::xpbd || method == Method::symplecticEuler || method == Method::backwardEuler ||
-           method == Method::baraffWitkin;
+    return method == Method::xpbd || method == Method::symplecticEuler || method == Method::subcycledEuler ||
+           method == Method::backwardEuler || method == Method::baraffWitkin;
 }
 
 } // namespace
