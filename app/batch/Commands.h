@@ -32,12 +32,14 @@ struct MeshOptions {
 struct SewOptions {
     std::string file, avatar;
     std::optional<double> spacing; ///< [m]
+    std::optional<pattern::LineRule> rule;
     std::optional<double> seconds; ///< [s]; absent = until rest
     double limit = 20;             ///< [s]
     double hold = 10;              ///< after rest, of garments without a neck opening [s]
     std::optional<double> step;    ///< frame step [s]
     int substeps = 0;              ///< 0 = chosen from the mesh
     std::string method = "xpbd";   ///< a name of sewMethods()
+    bool paper = false;            ///< the method of the 2002 paper end to end
     bool arrange = false;          ///< pieces that would start in the body are moved out of it
     bool strict = false;           ///< refuses a start that overlaps the body or itself
     int threads = 1;               ///< asked for; this version computes on one

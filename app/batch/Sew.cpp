@@ -33,6 +33,7 @@ Result<void> checked(const SewOptions& options) {
 
 void applyOptions(OpenedScene& opened, const SewOptions& options) {
     simulation::Scene& scene = opened.scene;
+    scene.paper = options.paper;
     if (options.step) scene.settings.frameStep = *options.step;
     if (options.substeps > 0) scene.settings.substeps = options.substeps;
     if (options.arrange && scene.body) scene.pattern = simulation::startingClearOf(scene.pattern, **scene.body);
@@ -71,7 +72,9 @@ Result<void> judgeStart(OpenedScene& opened, const simulation::Simulation& simul
 Json reportJson(const SewOptions& options, const OpenedScene& opened, const simulation::SewReport& report) {
     Json json;
     json.set("document", options.file).set("avatar", opened.avatar.empty() ? Json() : Json(opened.avatar));
-    json.set("method", options.method).set("step", opened.scene.settings.frameStep).set("threads", 1);
+    json.set("method", options.paper ? "paper" : options.method)
+        .set("step", opened.scene.settings.frameStep)
+        .set("threads", 1);
     const Json result = simulation::toJson(report);
     for (const auto& [key, value] : *result.asObject()) json.set(key, value);
     return json;
@@ -91,7 +94,8 @@ void printSummary(const simulation::SewReport& report, const SewOptions& options
     fmt::print("{} particles, {} of {} seams closed, {:.2f} s simulated in {:.1f} s; {}{}\n", report.particles, closed,
                report.seams.size(), report.simulatedSeconds, report.wallSeconds, report.ending,
                report.residual ? fmt::format(", residual {:.1e}", *report.residual) : "");
-    if (options.method != dynamics::nameOf(dynamics::Method::xpbd)) fmt::print("{}\n", methodsOf(report));
+    if (options.paper || options.method != dynamics::nameOf(dynamics::Method::xpbd))
+        fmt::print("{}\n", methodsOf(report));
     if (report.contact.bodyClearanceMinimum)
         fmt::print("{:.1f} mm from the body at the nearest, {} intersections with the body, {} with itself\n",
                    1000 * *report.contact.bodyClearanceMinimum, report.contact.bodyIntersections,
@@ -155,7 +159,7 @@ int sew(const SewOptions& options, std::stop_token stop) {
     auto opened = openScene(document->document, options.file, options.avatar);
     if (!opened) return refuse(opened.error());
     applyOptions(*opened, options);
-    auto simulation = simulation::Simulation::create(opened->scene, {.spacing = options.spacing});
+    auto simulation = simulation::Simulation::create(opened->scene, {.spacing = options.spacing, .rule = options.rule});
     if (!simulation) return refuse(simulation.error());
     if (options.method != dynamics::nameOf(dynamics::Method::xpbd))
         simulation->drapeWith(dynamics::methodNamed(options.method)); // absent for "static"

@@ -33,6 +33,16 @@ void addSpacing(CLI::App& command, std::optional<double>& spacing) {
         ->check(CLI::Range(0.1, 1000.0));
 }
 
+void addRule(CLI::App& command, std::optional<pattern::LineRule>& chosen) {
+    const std::map<std::string, pattern::LineRule> rules{{"regular", pattern::LineRule::regular},
+                                                         {"features", pattern::LineRule::features},
+                                                         {"paper", pattern::LineRule::paper}};
+    command
+        .add_option_function<pattern::LineRule>(
+            "--rule", [&chosen](const pattern::LineRule& rule) { chosen = rule; }, "how scan lines are chosen")
+        ->transform(CLI::CheckedTransformer(rules));
+}
+
 void declareCheck(CLI::App& app, std::function<int()>& chosen) {
     auto* command = app.add_subcommand("check", "print the problems of documents, one a line");
     auto files = std::make_shared<std::vector<std::string>>();
@@ -45,13 +55,7 @@ void declareMesh(CLI::App& app, std::function<int()>& chosen) {
     auto options = std::make_shared<MeshOptions>();
     command->add_option("FILE", options->file)->required();
     addSpacing(*command, options->spacing);
-    const std::map<std::string, pattern::LineRule> rules{{"regular", pattern::LineRule::regular},
-                                                         {"features", pattern::LineRule::features},
-                                                         {"paper", pattern::LineRule::paper}};
-    command
-        ->add_option_function<pattern::LineRule>(
-            "--rule", [options](const pattern::LineRule& rule) { options->rule = rule; }, "how scan lines are chosen")
-        ->transform(CLI::CheckedTransformer(rules));
+    addRule(*command, options->rule);
     const std::map<std::string, pattern::RegionBorder> borders{{"snap", pattern::RegionBorder::snap},
                                                                {"exact", pattern::RegionBorder::exact}};
     command
@@ -73,6 +77,7 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     command->add_option("FILE", options->file)->required();
     command->add_option("--avatar", options->avatar, "a body instead of the document's");
     addSpacing(*command, options->spacing);
+    addRule(*command, options->rule);
     auto* seconds = command->add_option_function<double>(
         "--seconds", [options](const double& value) { options->seconds = value; }, "simulate just so long [s]");
     seconds->check(CLI::Range(0.0, 3600.0));
@@ -86,10 +91,13 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
                      "a garment without a neck goes on for so long after rest, to see whether it slides [s]")
         ->check(CLI::Range(0.0, 3600.0))
         ->capture_default_str();
+    auto* method = command->add_option("--method", options->method,
+                                       "how time is integrated once the seams are closed; sewing itself is by xpbd");
+    method->check(CLI::IsMember(batch::sewMethods()));
     command
-        ->add_option("--method", options->method,
-                     "how time is integrated once the seams are closed; sewing itself is by xpbd")
-        ->check(CLI::IsMember(batch::sewMethods()));
+        ->add_flag("--paper", options->paper,
+                   "the 2002 paper end to end: its mesh, springs alone, a sewing force, explicit steps by regions")
+        ->excludes(method);
     const auto isAuto = [](const std::string& text) { return std::string(text == "auto" ? "" : "only auto is known"); };
     command
         ->add_option_function<std::string>(

@@ -5,21 +5,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 
 namespace toile::cloth {
 namespace {
 
-/// The spring for one element Σ c·x = κ of three nodes, with energy ½·B·w·(l₁ + l₂)/2·|κ|².
-Spring springFor(const Stencil& stencil, double curvature) {
-    std::array<int, 3> order{0, 1, 2}; // the centre last: its coefficient −2/(l₁l₂) is the largest
+/// Rest lengths of the cloth's sides by their ends.
+using Sides = std::map<std::pair<int, int>, double>;
+
+Sides sidesOf(const ClothModel& model) {
+    Sides sides;
+    for (const Spring& spring : model.structural) sides[std::minmax(spring.a, spring.b)] = spring.restLength;
+    return sides;
+}
+
+/// The spring for one element of energy ½·k·|Σ c·x|² of three nodes on a line, whose two lengths the sides tell:
+/// Σ c·x = s·κ with a factor s of the element's own, so that B·w = 2·k·s²/(l₁ + l₂).
+std::optional<Spring> springFor(const Stencil& stencil, const Sides& sides, double curvature) {
+    std::array<int, 3> order{0, 1, 2}; // the centre last: its coefficient −2s/(l₁l₂) is the largest
     std::ranges::sort(order, {}, [&](int i) { return std::abs(stencil.coefficients[i]); });
-    const double toFirst = std::abs(stencil.coefficients[order[0]]),
-                 toSecond = std::abs(stencil.coefficients[order[1]]);
-    const double product = 2 / std::abs(stencil.coefficients[order[2]]); // l₁l₂
-    const double l1 = std::sqrt(product * toSecond / toFirst), l2 = product / l1, both = l1 + l2;
-    const double bendingTimesWidth = 2 * stencil.stiffness / both;
-    return {stencil.particles[order[0]], stencil.particles[order[1]], both,
-            16 * bendingTimesWidth / (product * product * both * curvature * curvature)};
+    const auto [first, second, centre] = order;
+    const auto to = [&](int end) { return sides.find(std::minmax(stencil.particles[end], stencil.particles[centre])); };
+    if (to(first) == sides.end() || to(second) == sides.end()) return {};
+    const double l1 = to(first)->second, l2 = to(second)->second, both = l1 + l2, product = l1 * l2;
+    const double factor = std::abs(stencil.coefficients[centre]) * product / 2;
+    const double bendingTimesWidth = 2 * stencil.stiffness * factor * factor / both;
+    return Spring{stencil.particles[first], stencil.particles[second], both,
+                  16 * bendingTimesWidth / (product * product * both * curvature * curvature)};
 }
 
 } // namespace
@@ -27,6 +40,7 @@ Spring springFor(const Stencil& stencil, double curvature) {
 FlexionReport flexionInsteadOfBending(ClothModel& model, double curvature) {
     expects(curvature > 0, "flat cloth has no flexion stiffness to compare with");
     FlexionReport report;
+    const Sides sides = sidesOf(model);
     for (const Stencil& stencil : model.bending) {
         double sum = 0, largest = 0; // a line of three nodes: opposite signs, nothing over
         int used = 0;
@@ -38,8 +52,12 @@ FlexionReport flexionInsteadOfBending(ClothModel& model, double curvature) {
             ++report.dropped;
             continue;
         }
-        model.flexion.push_back(springFor(stencil, curvature));
-        ++report.springs;
+        if (const auto spring = springFor(stencil, sides, curvature)) {
+            model.flexion.push_back(*spring);
+            ++report.springs;
+        } else {
+            ++report.dropped;
+        }
     }
     report.dropped += static_cast<int>(model.twist.size() + model.hinges.size());
     model.bending.clear();

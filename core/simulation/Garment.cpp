@@ -13,6 +13,13 @@ namespace {
 using pattern::Pattern;
 using pattern::Piece;
 
+/// At which flexion springs are as stiff as the fabric [1/m]: that of the blouse's folds (docs/simulation.md).
+constexpr double paperCurvature = 15;
+
+cloth::CellForm formFor(material::FabricKind kind) {
+    return kind == material::FabricKind::knit ? cloth::CellForm::membrane : cloth::CellForm::automatic;
+}
+
 cloth::StiffnessFactors factorsOf(const Piece& piece, int region) {
     if (region < 0) return {};
     const pattern::StiffnessFactors& f = piece.regions[region].stiffness;
@@ -61,7 +68,8 @@ Result<void> pinParticles(Garment& garment, const Pattern& pattern) {
 
 } // namespace
 
-Result<Garment> makeGarment(const Pattern& pattern, Shared<meshing::GarmentMesh> mesh, std::vector<bool> mergedSeams) {
+Result<Garment> makeGarment(const Pattern& pattern, Shared<meshing::GarmentMesh> mesh, std::vector<bool> mergedSeams,
+                            bool paper) {
     Garment garment{std::move(mesh), std::move(mergedSeams), {}, {}, {}, {}};
     garment.particles = particleMap(*garment.mesh, garment.mergedSeams);
     garment.halfThickness.assign(garment.particles.particleCount, 0);
@@ -76,18 +84,18 @@ Result<Garment> makeGarment(const Pattern& pattern, Shared<meshing::GarmentMesh>
         const std::span<const int> particles(garment.particles.particleOf.data() + garment.particles.firstNode[i],
                                              pieceMesh.nodes.size());
         const Piece source = pattern::resolved(pattern, piece);
-        const auto report = cloth::appendPatch(
-            garment.model, patchOf(source, pieceMesh, particles), *fabric,
-            {fabric->kind == material::FabricKind::knit ? cloth::CellForm::membrane : cloth::CellForm::automatic});
+        const auto report = cloth::appendPatch(garment.model, patchOf(source, pieceMesh, particles), *fabric,
+                                               {paper ? cloth::CellForm::springs : formFor(fabric->kind)});
         if (!report) return tl::unexpected(report.error());
         for (const int particle : particles) {
             garment.halfThickness[particle] = std::max(garment.halfThickness[particle], 0.5 * fabric->thickness);
             garment.friction[particle] = std::max(garment.friction[particle], fabric->friction);
         }
     }
-    appendSeamHinges(garment.model, pattern, *garment.mesh, garment.mergedSeams, garment.particles);
+    if (!paper) appendSeamHinges(garment.model, pattern, *garment.mesh, garment.mergedSeams, garment.particles);
     if (const auto pinned = pinParticles(garment, pattern); !pinned) return tl::unexpected(pinned.error());
     cloth::doubleBendingAtClampedRows(garment.model);
+    if (paper) garment.paper = cloth::springsAlone(garment.model, paperCurvature);
     return garment;
 }
 

@@ -4,9 +4,11 @@
 #include "core/base/Result.h"
 #include "core/base/Shared.h"
 #include "core/cloth/ClothModel.h"
+#include "core/cloth/PaperSprings.h"
 #include "core/pattern/Pattern.h"
 #include "core/simulation/ParticleMap.h"
 
+#include <optional>
 #include <vector>
 
 namespace toile::simulation {
@@ -17,13 +19,14 @@ struct Garment {
     std::vector<bool> mergedSeams;
     ParticleMap particles;
     cloth::ClothModel model;
-    std::vector<double> halfThickness; ///< of the cloth at each particle [m]
-    std::vector<double> friction;      ///< of the cloth at each particle [–]
+    std::vector<double> halfThickness;            ///< of the cloth at each particle [m]
+    std::vector<double> friction;                 ///< of the cloth at each particle [–]
+    std::optional<cloth::PaperReport> paper = {}; ///< of springs alone
 };
 
-/// Builds the cloth. Errors name the fabric or pin that is wrong.
+/// Builds the cloth; of the paper's springs alone if that is asked. Errors name the fabric or pin that is wrong.
 [[nodiscard]] Result<Garment> makeGarment(const pattern::Pattern& pattern, Shared<meshing::GarmentMesh> mesh,
-                                          std::vector<bool> mergedSeams);
+                                          std::vector<bool> mergedSeams, bool paper = false);
 
 /// The display triangles of all pieces, naming particles.
 [[nodiscard]] std::vector<std::array<int, 3>> particleTriangles(const Garment& garment);

@@ -8,17 +8,26 @@
 namespace toile::simulation {
 namespace {
 
+/// The paper's sewing force. It grows, so that pieces neither fling through the body nor are torn out; in the end it is
+/// what position-based sewing may pull with.
+constexpr SeamClosingSettings paperSewing{.maximumForce = 5, .stiffness = 2000, .forceRamp = 1.5};
+
 /// Parts of the cloth that this garment has no use for.
 void leaveOutElements(StepPlan& plan, const Garment& garment) {
     const cloth::ClothModel& model = garment.model;
+    if (model.slaves.empty()) plan.leaveOut("slaves", "one spacing in every piece");
+    if (model.pinned.empty()) plan.leaveOut("pins", "nothing is pinned");
+    if (garment.paper) {
+        for (const char* element : {"membrane cells", "membrane triangles", "bending", "twist", "seam hinges"})
+            plan.leaveOut(element, "the paper has springs alone");
+        return;
+    }
     if (model.structural.empty()) plan.leaveOut("springs", "no woven piece");
     if (model.cells.empty()) plan.leaveOut("membrane cells", "no knit");
     if (model.triangles.empty()) plan.leaveOut("membrane triangles", "rectangles only");
     if (model.bending.empty()) plan.leaveOut("bending", "no bending stiffness");
     if (model.twist.empty()) plan.leaveOut("twist", "4·B45 does not exceed B1 + B2 in any fabric");
     if (model.hinges.empty()) plan.leaveOut("seam hinges", "no merged seam");
-    if (model.slaves.empty()) plan.leaveOut("slaves", "one spacing in every piece");
-    if (model.pinned.empty()) plan.leaveOut("pins", "nothing is pinned");
 }
 
 } // namespace
@@ -28,17 +37,20 @@ StepPlan planOf(const Scene& scene, const Garment& garment, const collision::Bod
     StepPlan plan;
     leaveOutElements(plan, garment);
 
-    const SeamClosingSettings closing{.duration = scene.settings.seamTime};
-    if (!pairs.empty()) plan.add(std::make_unique<SeamClosing>(pairs, closing));
+    const SeamClosingSettings closing =
+        scene.paper ? paperSewing : SeamClosingSettings{.duration = scene.settings.seamTime};
+    if (!pairs.empty()) plan.add(std::make_unique<SeamClosing>(pairs, closing, garment.model.mass));
     else plan.leaveOut("seams", garment.mergedSeams.empty() ? "the pattern has no seam" : "all seams are merged");
 
     if (body) plan.add(bodyContactOf(scene, garment, *body, positions));
     else plan.leaveOut("body contact", "no body");
 
-    if (body && !pairs.empty()) plan.add(std::make_unique<SeamMeeting>(std::move(pairs), closing));
+    if (scene.paper) plan.leaveOut("seams that meet", "the paper sews by a force");
+    else if (body && !pairs.empty()) plan.add(std::make_unique<SeamMeeting>(std::move(pairs), closing));
     else plan.leaveOut("seams that meet", body ? "all seams are merged" : "no body parts them");
 
-    if (!scene.settings.selfContact) plan.leaveOut("self-contact", "the scene does not ask for it");
+    if (scene.paper) plan.leaveOut("self-contact", "the paper knows the body alone");
+    else if (!scene.settings.selfContact) plan.leaveOut("self-contact", "the scene does not ask for it");
     else if (!canReachItself(garment)) plan.leaveOut("self-contact", "the cloth is too small to reach itself");
     else plan.add(selfContactOf(scene, garment)); // last: it goes back where anything has pushed layers through layers
     return plan;

@@ -27,6 +27,7 @@ struct Scene {
     pattern::Pattern pattern;
     std::optional<Shared<body::Body>> body;
     SceneSettings settings;
+    bool paper = false; ///< the method of the 2002 paper from end to end, to compare with (docs/physics/paper.md)
     friend bool operator==(const Scene&, const Scene&) = default;
 };
 

@@ -67,10 +67,20 @@ Result<std::string> run(Simulation& simulation, const SewSettings& settings, con
     }
 }
 
+/// How far from equilibrium the cloth was left. The paper has no statics.
+Result<void> judgeByForce(SewReport& result, Simulation& simulation, const Watch& watch) {
+    const auto seen = simulation.settle({.maximumIterations = 0}, watch.stop);
+    if (!seen) return tl::unexpected(seen.error());
+    result.residual = seen->newton.residual;
+    result.atRest = result.ending == "at rest";
+    return {};
+}
+
 /// Statics. Where it does not come to an end, a fold is still snapping through: time goes on a little, and it is tried
 /// again from there.
 Result<void> finish(SewReport& result, Simulation& simulation, const SewSettings& settings, const Watch& watch) {
     constexpr int attempts = 4;
+    if (simulation.scene().paper) return judgeByForce(result, simulation, watch);
     result.finishDisplacementMaximum = 0;
     for (int attempt = 0; attempt < attempts && !result.atRest; ++attempt) {
         if (attempt > 0)
@@ -112,6 +122,7 @@ void countElements(SewReport& result, const cloth::ClothModel& model) {
     result.springsShear = static_cast<int>(model.shear.size());
     result.bending = static_cast<int>(model.bending.size());
     result.twist = static_cast<int>(model.twist.size());
+    result.flexion = static_cast<int>(model.flexion.size());
     result.clampedCells = model.clampedCells;
 }
 
@@ -196,6 +207,7 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
         if (const auto finished = finish(result, simulation, settings, watch); !finished)
             return tl::unexpected(finished.error());
     countElements(result, simulation.garment().model);
+    result.paper = simulation.garment().paper;
     for (std::size_t seam = 0; seam < simulation.seams().size(); ++seam)
         result.seams.push_back(
             {simulation.seams()[seam], simulation.seams()[seam].merged ? SeamGap{} : simulation.gapOf(seam)});

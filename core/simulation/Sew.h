@@ -40,18 +40,19 @@ struct StageShare {
 
 /// What a run did and what became of the garment; written as sew.json (docs/formats/sew.md).
 struct SewReport {
-    int particles = 0, springsStructural = 0, springsShear = 0, bending = 0, twist = 0;
+    int particles = 0, springsStructural = 0, springsShear = 0, flexion = 0, bending = 0, twist = 0;
     std::vector<SeamResult> seams;
     std::optional<WornReport> worn; ///< absent without a body that has limbs
     ContactSummary contact;
     int clampedCells = 0;
+    std::optional<cloth::PaperReport> paper;         ///< in a scene of the paper
     std::optional<double> finishDisplacementMaximum; ///< [m]
     StrainSummary strain;
     CurvatureSummary curvature;
     double simulatedSeconds = 0, cpuSeconds = 0, wallSeconds = 0;
     double heldSeconds = 0; ///< of them after rest, to see whether a waistband stays [s]
     int steps = 0, substeps = 0;
-    bool atRest = false;
+    bool atRest = false;            ///< in a scene of the paper by speed alone: its explicit steps find no equilibrium
     std::optional<double> residual; ///< largest unbalanced force over the mean particle weight [–]
     double kineticEnergy = 0, gravityEnergy = 0, elasticEnergy = 0; ///< [J]
     std::size_t peakBytes = 0;                                      ///< most memory the process has held

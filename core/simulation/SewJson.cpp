@@ -72,6 +72,13 @@ Json toJson(const ContactSummary& contact) {
     return json.set("outsideBody", contact.outsideBody).set("guarantee", contact.guarantee);
 }
 
+Json toJson(const std::optional<cloth::PaperReport>& paper) {
+    Json json;
+    json.set("triangles", paper ? Json(paper->triangles) : Json());
+    json.set("fitResidual", paper ? Json(paper->fitResidual) : Json());
+    return json.set("droppedBending", paper ? Json(paper->droppedBending) : Json());
+}
+
 } // namespace
 
 Json toJson(const SewReport& report) {
@@ -79,12 +86,12 @@ Json toJson(const SewReport& report) {
     json.set("particles", report.particles);
     Json springs;
     springs.set("structural", report.springsStructural).set("shear", report.springsShear);
-    springs.set("bending", report.bending).set("twist", report.twist);
+    springs.set("flexion", report.flexion).set("bending", report.bending).set("twist", report.twist);
     json.set("springs", springs);
     json.set("seams", listOf(report.seams, [](const SeamResult& seam) { return toJson(seam); }));
     json.set("worn", toJson(report.worn));
     json.set("contact", toJson(report.contact));
-    json.set("clampedCells", report.clampedCells);
+    json.set("clampedCells", report.clampedCells).set("paper", toJson(report.paper));
     json.set("finishDisplacementMaximum", numberOrNull(report.finishDisplacementMaximum));
     Json strain;
     strain.set("warpMaximum", report.strain.warpMaximum).set("weftMaximum", report.strain.weftMaximum);

@@ -33,12 +33,14 @@ Result<std::shared_ptr<const collision::BodySurface>> surfaceOf(const Scene& sce
 }
 
 Result<Garment> flatGarment(const Scene& scene, const MeshOverrides& overrides) {
-    const auto input = meshInputOf(scene.pattern, overrides);
+    MeshOverrides asked = overrides;
+    if (scene.paper && !asked.rule) asked.rule = pattern::LineRule::paper;
+    const auto input = meshInputOf(scene.pattern, asked);
     if (!input) return tl::unexpected(input.error());
     auto mesh = meshing::meshGarment(*input);
     if (!mesh) return tl::unexpected(mesh.error());
     std::vector<bool> merged(mesh->seams.size(), false);
-    return makeGarment(scene.pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), std::move(merged));
+    return makeGarment(scene.pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), std::move(merged), scene.paper);
 }
 
 /// Particles where nodes are; nodes of one particle are taken at their mean.
@@ -162,6 +164,10 @@ void Simulation::rebuildPlan() {
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
     plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), state_.positions);
     plannedDamping_ = damping();
+    if (scene_.paper) {
+        integrator_ = integratorOf(dynamics::Method::subcycledEuler);
+        return;
+    }
     xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model,
                                              dynamics::XpbdSettings{.damping = plannedDamping_, .speedLimit = 10});
     substeps_ = scene_.settings.substeps > 0
@@ -258,7 +264,7 @@ Result<void> Simulation::mergeReadySeams() {
         mergedSeams[seam] = changed = true;
     }
     if (!changed) return {};
-    auto sewn = makeGarment(scene_.pattern, garment_->mesh, std::move(mergedSeams));
+    auto sewn = makeGarment(scene_.pattern, garment_->mesh, std::move(mergedSeams), scene_.paper);
     if (!sewn) return tl::unexpected(sewn.error());
     state_ = merged(state_, *garment_, *sewn);
     garment_ = std::make_unique<const Garment>(std::move(*sewn));
@@ -308,8 +314,8 @@ std::vector<StepPlan::StageCost> Simulation::stageCosts() const {
         if (const auto* stage = plan_.find(cost.name)) cost.bytes = stage->bytes();
     double inStages = 0;
     for (const StepPlan::StageCost& cost : costs) inStages += cost.seconds;
-    costs.push_back(
-        {"cloth", std::max(0.0, allSeconds_ - inStages), xpbd_->bytes() + (integrator_ ? integrator_->bytes() : 0)});
+    costs.push_back({"cloth", std::max(0.0, allSeconds_ - inStages),
+                     (xpbd_ ? xpbd_->bytes() : 0) + (integrator_ ? integrator_->bytes() : 0)});
     return costs;
 }
 

@@ -69,8 +69,9 @@ public:
     /// pieces that are new start where they are placed. Time goes on.
     [[nodiscard]] static Result<Simulation> continued(Scene scene, const Simulation& before);
 
-    /// Integrates by this method while no seam is being closed; sewing itself is position-based, which alone draws
-    /// seams together. Absent: there is no motion after sewing, the garment is left to settle().
+    /// Integrates by this method (not in a scene of the paper) while no seam is being closed; sewing itself is
+    /// position-based, which alone draws seams together. Absent: there is no motion after sewing, the garment is left
+    /// to settle().
     void drapeWith(std::optional<dynamics::Method> method);
 
     /// One frame step of the scene. Error when a number is no longer finite: the state before is kept.

@@ -44,6 +44,7 @@ private slots:
     void aStartInTheBodyIsWarnedOfRefusedOrArranged();
     void everyMethodDrapesWhatXpbdHasSewn_data();
     void everyMethodDrapesWhatXpbdHasSewn();
+    void thePaperGoesItsOwnWayFromEndToEnd();
     void staticsKnowsNoTime();
     void moreThreadsAreAnsweredHonestly();
     void aMissingFolderIsSaidAndNothingIsWritten();
@@ -222,7 +223,7 @@ void tst_SewCommand::aStartInTheBodyIsWarnedOfRefusedOrArranged() {
 void tst_SewCommand::everyMethodDrapesWhatXpbdHasSewn_data() {
     QTest::addColumn<QString>("method");
     for (const char* method : {"xpbd", "trbdf2", "static", "backward-euler", "bdf2", "midpoint", "sdirk4", "rk4",
-                               "symplectic-euler", "baraff-witkin"})
+                               "symplectic-euler", "subcycled-euler", "baraff-witkin"})
         QTest::newRow(method) << method;
 }
 
@@ -245,6 +246,21 @@ void tst_SewCommand::everyMethodDrapesWhatXpbdHasSewn() {
     QVERIFY(phases.size() >= 2);
     QCOMPARE(QString::fromStdString(*phases.back().find("method")->asString()), method);
     QVERIFY(*phases.back().find("parts")->asNumber() >= 1);
+}
+
+void tst_SewCommand::thePaperGoesItsOwnWayFromEndToEnd() {
+    const Finished finished = run({"sew", sample("two-squares.toile"), "--spacing", "50", "--paper", "--seconds", "1",
+                                   "--quiet", "--report", in("sew.json")});
+    QVERIFY2(finished.status == 0, qPrintable(finished.err + finished.out));
+    const Json json = report();
+    QCOMPARE(*json.find("method")->asString(), std::string("paper"));
+    for (const Json& phase : *json.find("phases")->asArray())
+        QCOMPARE(*phase.find("method")->asString(), std::string("subcycled-euler"));
+    QVERIFY(*json.find("springs")->find("flexion")->asNumber() > 0);
+    QCOMPARE(*json.find("springs")->find("bending")->asNumber(), 0.0);
+    const Finished both = run({"sew", sample("two-squares.toile"), "--paper", "--method", "trbdf2"});
+    QCOMPARE(both.status, 2);
+    QVERIFY(both.err.contains("--method"));
 }
 
 void tst_SewCommand::staticsKnowsNoTime() {

@@ -12,11 +12,10 @@ namespace {
 
 constexpr double length = 0.1, wanted = 20; // [m], [1/m]
 
-/// A strip along weft with unequal columns, all its in-plane springs left out.
+/// A strip along weft with unequal columns, without shear and twist.
 ClothModel strip(const Patch& patch) {
     ClothModel model;
     if (!cloth::appendPatch(model, patch, wovenFabric())) qFatal("a strip");
-    model.structural.clear();
     model.shear.clear();
     model.twist.clear();
     return model;

@@ -43,6 +43,8 @@ class tst_SeamClosing : public QObject {
 private slots:
     void theAllowedGapGoesToZeroInItsTime();
     void aLongGapTakesLonger();
+    void theForceIsMinusTheGradientOfTheEnergyAndStaysBounded();
+    void aForceGrowsInItsTime();
     void twoSquaresAreSewn();
     void seamsOfAHigherOrderWait();
     void aSeamMergesThoughOneSideAloneRestsOnTheBody();
@@ -64,6 +66,40 @@ void tst_SeamClosing::aLongGapTakesLonger() {
 
 /// Validation case V21: total momentum 0 stays 0, no kinetic energy is made at the merge, the gap is 0 after it, the
 /// centre of mass stays.
+void tst_SeamClosing::theForceIsMinusTheGradientOfTheEnergyAndStaysBounded() {
+    const std::vector<double> mass{2e-5, 1e-5};
+    SeamClosing seam({{0, 1, 1, 0}}, {.maximumForce = 0.5, .stiffness = 500}, mass); // constant from a gap of 1 mm on
+    QCOMPARE(seam.largestFrequencySquared(), 2 * 500 / 1e-5);
+    constexpr double step = 1e-7;
+    for (const double gap : {0.0002, 0.00099, 0.00101, 0.3}) {
+        std::vector<Vec3> x{{0, 0, 0}, {gap * 0.6, 0, gap * 0.8}};
+        std::vector<Vec3> forces(2);
+        seam.addForces(x, forces);
+        QVERIFY(length(forces[0] + forces[1]) < 1e-15);
+        QVERIFY(std::abs(length(forces[0]) - std::min(0.5, 500 * gap)) < 1e-12);
+        for (int axis = 0; axis < 3; ++axis) {
+            auto more = x, less = x;
+            more[1][axis] += step;
+            less[1][axis] -= step;
+            QVERIFY(std::abs((seam.energy(more) - seam.energy(less)) / (2 * step) + forces[1][axis]) < 1e-4);
+        }
+    }
+}
+
+void tst_SeamClosing::aForceGrowsInItsTime() {
+    SeamClosing seam({{0, 1, 1, 2.0}}, {.maximumForce = 4, .stiffness = 500, .forceRamp = 1},
+                     std::vector<double>{1, 1});
+    const std::vector<Vec3> x{{}, {1, 0, 0}};
+    for (const auto& [time, expected] : {std::pair{1.0, 0.0}, {2.25, 1.0}, {3.0, 4.0}, {9.0, 4.0}}) {
+        dynamics::ParticleState state;
+        state.time = time;
+        seam.beginStep(state, 0);
+        std::vector<Vec3> forces(2);
+        seam.addForces(x, forces);
+        QCOMPARE(length(forces[0]), expected);
+    }
+}
+
 void tst_SeamClosing::twoSquaresAreSewn() {
     auto simulation = Simulation::create(twoSquares());
     QVERIFY2(simulation, simulation ? "" : toString(simulation.error()).c_str());
