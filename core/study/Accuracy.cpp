@@ -29,7 +29,7 @@ std::vector<Setup> setupsFor(const Scene& scene) {
     for (const Method method :
          {Method::trBdf2, Method::bdf2, Method::midpoint, Method::sdirk4, Method::backwardEuler, Method::baraffWitkin})
         for (int steps = sampleCount; steps <= 16 * sampleCount; steps *= 2) setups.push_back({method, steps});
-    for (const Method method : {Method::symplecticEuler, Method::rk4}) {
+    for (const Method method : {Method::symplecticEuler, Method::subcycledEuler, Method::rk4}) {
         const int steps = stepsBelow(explicitPart * stepLimitOf(scene, method), scene.duration);
         for (const int divided : {1, 2}) setups.push_back({method, steps * divided});
     }
