@@ -4,8 +4,8 @@
 
 #include <QtTest>
 #include <atomic>
+#include <cstddef>
 #include <cstdlib>
-#include <malloc.h>
 #include <new>
 
 namespace {
@@ -18,11 +18,18 @@ std::atomic<long> liveBlocks{0}, liveBytes{0};
 
 } // namespace
 
+namespace {
+/// Before each block stands how much was asked for: what malloc gives varies with what was freed before.
+constexpr std::size_t header = alignof(std::max_align_t);
+} // namespace
+
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    void* block = std::malloc(size);
-    liveBlocks += block ? 1 : 0;
-    liveBytes += static_cast<long>(malloc_usable_size(block));
-    return block;
+    void* block = std::malloc(header + size);
+    if (!block) return nullptr;
+    *static_cast<std::size_t*>(block) = size;
+    ++liveBlocks;
+    liveBytes += static_cast<long>(size);
+    return static_cast<char*>(block) + header;
 }
 void* operator new(std::size_t size) {
     void* block = operator new(size, std::nothrow);
@@ -31,9 +38,10 @@ void* operator new(std::size_t size) {
 }
 void operator delete(void* block) noexcept {
     if (!block) return;
+    void* whole = static_cast<char*>(block) - header;
     --liveBlocks;
-    liveBytes -= static_cast<long>(malloc_usable_size(block));
-    std::free(block);
+    liveBytes -= static_cast<long>(*static_cast<std::size_t*>(whole));
+    std::free(whole);
 }
 void operator delete(void* block, std::size_t) noexcept {
     operator delete(block);
