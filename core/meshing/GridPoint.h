@@ -75,8 +75,8 @@ constexpr bool insideCorner(GridPoint previous, GridPoint corner, GridPoint next
                                                    : leftOfIncoming || leftOfOutgoing;
 }
 
-/// Interleaves the bits of both coordinates: neighbours in the plane stay near in order.
-constexpr std::uint64_t mortonCode(GridPoint p) {
+/// Interleaves the bits of both, 32 of each: neighbours in the plane stay near in order.
+constexpr std::uint64_t interleaved(std::uint64_t x, std::uint64_t y) {
     const auto spread = [](std::uint64_t v) {
         v = (v | (v << 16)) & 0x0000ffff0000ffffULL;
         v = (v | (v << 8)) & 0x00ff00ff00ff00ffULL;
@@ -84,8 +84,13 @@ constexpr std::uint64_t mortonCode(GridPoint p) {
         v = (v | (v << 2)) & 0x3333333333333333ULL;
         return (v | (v << 1)) & 0x5555555555555555ULL;
     };
+    return spread(x) | (spread(y) << 1);
+}
+
+/// The place of a point along a Morton curve.
+constexpr std::uint64_t mortonCode(GridPoint p) {
     const auto unsignedOf = [](std::int32_t v) { return static_cast<std::uint64_t>(std::int64_t{v} + gridLimit); };
-    return spread(unsignedOf(p.x)) | (spread(unsignedOf(p.y)) << 1);
+    return interleaved(unsignedOf(p.x), unsignedOf(p.y));
 }
 
 } // namespace toile::meshing

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/meshing/GridPoint.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -12,18 +14,6 @@ namespace toile::meshing {
 
 /// A node and its place along a Morton curve of the lattice: columns and rows with 8 binary digits behind the point.
 using KeyedNode = std::pair<std::uint64_t, int>;
-
-/// Interleaves the bits of both: neighbours in the plane stay near in order.
-constexpr std::uint64_t interleaved(std::uint32_t x, std::uint32_t y) {
-    const auto spread = [](std::uint64_t v) {
-        v = (v | (v << 16)) & 0x0000ffff0000ffffULL;
-        v = (v | (v << 8)) & 0x00ff00ff00ff00ffULL;
-        v = (v | (v << 4)) & 0x0f0f0f0f0f0f0f0fULL;
-        v = (v | (v << 2)) & 0x3333333333333333ULL;
-        return (v | (v << 1)) & 0x5555555555555555ULL;
-    };
-    return spread(x) | (spread(y) << 1);
-}
 
 /// Columns and rows of a block of 8 × 8 along the curve.
 struct BlockOffset {

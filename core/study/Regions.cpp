@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/Regions.h"
+#include "core/study/EachPiece.h"
 
 #include "core/base/Contracts.h"
 #include "core/simulation/CarryOver.h"
@@ -14,17 +15,6 @@ namespace {
 
 using pattern::Pattern;
 using pattern::Piece;
-
-/// The pattern with every piece changed.
-template <class Change>
-Pattern eachPiece(Pattern pattern, const Change& change) {
-    for (auto& shared : pattern.pieces) {
-        Piece piece = *shared;
-        change(piece);
-        shared = Shared<Piece>(std::move(piece));
-    }
-    return pattern;
-}
 
 /// One spacing everywhere; regions keep their stiffness and lose their finer mesh.
 Pattern uniform(const Pattern& pattern, double factor) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/Storage.h"
+#include "core/study/EachPiece.h"
 
 #include "core/geometry/Polygon.h"
 #include "core/simulation/Garment.h"
@@ -36,16 +37,6 @@ pattern::Region regionOf(const FineBox& box, const Piece& piece, int number) {
     region.outline = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
     region.refinement = 1;
     return region;
-}
-
-template <class Change>
-Pattern eachPiece(Pattern pattern, const Change& change) {
-    for (auto& shared : pattern.pieces) {
-        Piece piece = *shared;
-        change(piece);
-        shared = Shared<Piece>(std::move(piece));
-    }
-    return pattern;
 }
 
 double finestRegion(const Pattern& pattern) {
