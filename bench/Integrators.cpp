@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work and precision of the integrators on the flap (tests/validation/Flap.h): the error at 0.4 s against the
+// Work and precision of the integrators on the flap (core/study/Scenes.h): the error at 0.4 s against the
 // same mesh at a far smaller step, and the cost in units of symplectic Euler near its stability limit on the
 // same flap.
 //
 //   toile-bench-integrators [CELLS [FACTOR...]]      default: 32 cells, factors 1, 100, 10000
 #include "core/cloth/Flexion.h"
 #include "core/dynamics/RungeKutta4.h"
-#include "tests/validation/Flap.h"
+#include "core/study/Trajectory.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -17,12 +17,12 @@
 #include <string>
 
 using namespace toile;
-using namespace toile::fixtures;
 using dynamics::Method;
+using study::Scene;
 
 namespace {
 
-constexpr double duration = 0.4; // [s]
+constexpr double duration = 0.4, flapDamping = 0.5; // [s], [1/s]: as the scene has them
 const Vec3 gravity{0, -9.81, 0};
 
 struct Run {
@@ -43,12 +43,12 @@ struct Setup {
     dynamics::IntegratorSettings settings{.damping = flapDamping};
 };
 
-Run run(const Flap& flap, const Setup& setup, int repetitions) {
+Run run(const Scene& flap, const Setup& setup, int repetitions) {
     Run best;
     for (int r = 0; r < repetitions; ++r) {
         const double start = threadSeconds();
         const auto integrator = dynamics::makeIntegrator(setup.method, flap.model, setup.settings);
-        dynamics::ParticleState state = flap.state;
+        dynamics::ParticleState state = flap.start;
         dynamics::StepReport sum{.parts = 0};
         const int steps = static_cast<int>(std::lround(duration / setup.step));
         for (int i = 0; i < steps; ++i) {
@@ -65,17 +65,17 @@ Run run(const Flap& flap, const Setup& setup, int repetitions) {
     return best;
 }
 
-void printRow(const std::string& what, const Flap& flap, const Run& result, const std::vector<Vec3>& reference,
+void printRow(const std::string& what, const Scene& flap, const Run& result, const std::vector<Vec3>& reference,
               double unit) {
     fmt::print("| {:<44} | {:>10.4g} | {:>7.3f} | {:>6.1f} | {:>6} | {:>5} | {:>5} | {:>6} | {} |\n", what,
-               1000 * rmsDistance(flap.model, result.positions, reference), result.seconds, result.seconds / unit,
+               1000 * rmsDistance(flap, result.positions, reference), result.seconds, result.seconds / unit,
                result.report.parts, result.report.newtonIterations, result.report.factorizations,
                result.report.gradientIterations, result.report.accurate ? "" : "not solved");
     std::fflush(stdout);
 }
 
 void compare(int cells, double factor, bool quick) {
-    const Flap sheet = flap(cells, factor);
+    const Scene sheet = *study::sceneNamed("flap", {cells, factor});
     fmt::print("\nflap, {} × {} particles, E = {:g} N/m\n\n", cells + 1, cells + 1, 50 * factor);
     const auto reference = [&] {
         // RK4 at 0.6 of its limit where that is affordable.
@@ -87,7 +87,7 @@ void compare(int cells, double factor, bool quick) {
                "|\n|---|---|---|---|---|---|---|---|---|\n");
     const Run euler = run(sheet, {Method::symplecticEuler, duration / 24}, quick ? 1 : 3);
     printRow("symplectic Euler, 0.9 of its limit", sheet, euler, reference, euler.seconds);
-    Flap paper = sheet;
+    Scene paper = sheet;
     (void)cloth::flexionInsteadOfBending(paper.model, 5); // a radius of 0.2 m
     printRow("symplectic Euler, flexion springs", sheet, run(paper, {Method::symplecticEuler, duration / 24}, 1),
              reference, euler.seconds);

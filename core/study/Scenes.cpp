@@ -2,7 +2,7 @@
 #include "core/study/Scenes.h"
 
 #include "core/base/Contracts.h"
-#include "core/cloth/Patch.h"
+#include "core/cloth/RegularPatches.h"
 
 #include <array>
 
@@ -33,18 +33,8 @@ Scene sheet(const SceneSettings& settings) {
     fabric.shearStiffness = shear;
     fabric.warpBending = fabric.weftBending = 5e-5;
     fabric.biasBending = 2.5e-5;
-    cloth::Patch patch;
-    const int n = settings.cells, columns = n + 1;
-    for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) {
-            patch.particles.push_back(static_cast<int>(patch.material.size()));
-            patch.material.push_back({scene.size * i / n, scene.size * j / n});
-        }
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-            const int node = j * columns + i;
-            patch.rectangles.push_back({{node, node + 1, node + columns + 1, node + columns}, {}});
-        }
+    const auto lines = cloth::evenLines(scene.size, settings.cells);
+    const cloth::Patch patch = cloth::gridPatch(lines, lines);
     const auto appended = cloth::appendPatch(scene.model, patch, fabric);
     expects(appended.has_value(), "a square sheet of rectangles is a cloth");
     for (const Vec2& m : patch.material) scene.start.positions.push_back({m.x, 0, m.y});

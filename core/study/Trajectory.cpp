@@ -14,15 +14,6 @@ dynamics::IntegratorSettings settingsOf(const Scene& scene, const Setup& setup) 
     return {.damping = scene.damping, .substeps = setup.substeps, .tolerance = setup.tolerance};
 }
 
-double rmsDistance(const Scene& scene, const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    double sum = 0, mass = 0;
-    for (std::size_t p = 0; p < a.size(); ++p) {
-        sum += scene.model.mass[p] * squaredLength(a[p] - b[p]);
-        mass += scene.model.mass[p];
-    }
-    return std::sqrt(sum / mass);
-}
-
 } // namespace
 
 Result<Trajectory> trajectoryOf(const Scene& scene, const Setup& setup, std::stop_token stop) {
@@ -51,6 +42,15 @@ Result<Trajectory> trajectoryOf(const Scene& scene, const Setup& setup, std::sto
 
 double stepLimitOf(const Scene& scene, dynamics::Method method) {
     return dynamics::makeIntegrator(method, scene.model, {.damping = scene.damping})->stepLimit(scene.start.positions);
+}
+
+double rmsDistance(const Scene& scene, const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    double sum = 0, mass = 0;
+    for (std::size_t p = 0; p < a.size(); ++p) {
+        sum += scene.model.mass[p] * squaredLength(a[p] - b[p]);
+        mass += scene.model.mass[p];
+    }
+    return std::sqrt(sum / mass);
 }
 
 TimeError differenceOf(const Scene& scene, const Trajectory& a, const Trajectory& b) {

@@ -33,6 +33,9 @@ constexpr int sampleCount = 20;
 /// The longest step at which an explicit method runs undivided on the scene [s]; infinity for the others.
 [[nodiscard]] double stepLimitOf(const Scene& scene, dynamics::Method method);
 
+/// Mass-weighted root mean square of the distances [m].
+[[nodiscard]] double rmsDistance(const Scene& scene, const std::vector<Vec3>& a, const std::vector<Vec3>& b);
+
 /// Distances between two trajectories of one scene.
 struct TimeError {
     double rms = 0;     ///< mass-weighted, at the end [m]

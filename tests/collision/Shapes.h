@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/TriangleMesh.h"
+#include "core/geometry/Shapes.h"
 
 #include <cmath>
 #include <numbers>
@@ -10,64 +10,14 @@
 /// Small bodies for the tests of collision and contact.
 namespace toile::shapes {
 
-/// Sides parallel to the axes, 12 triangles facing outward.
-inline geometry::TriangleMesh box(const Vec3& low, const Vec3& high) {
-    geometry::TriangleMesh mesh;
-    for (int k = 0; k < 8; ++k)
-        mesh.vertices.push_back({k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z});
-    const std::array<std::array<int, 4>, 6> sides{
-        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
-    for (const auto& [a, b, c, d] : sides) {
-        mesh.triangles.push_back({a, b, c});
-        mesh.triangles.push_back({a, c, d});
-    }
-    return mesh;
-}
-
-/// A closed surface round the origin whose radius in each direction (unit vector) is given [m].
-template <class Radius>
-geometry::TriangleMesh starBody(int rings, int sectors, const Radius& radius) {
-    geometry::TriangleMesh mesh;
-    const auto add = [&](double polar, double turn) {
-        const Vec3 d{std::sin(polar) * std::cos(turn), std::cos(polar), std::sin(polar) * std::sin(turn)};
-        mesh.vertices.push_back(d * radius(d));
-    };
-    add(0, 0);
-    for (int r = 1; r < rings; ++r)
-        for (int s = 0; s < sectors; ++s) add(std::numbers::pi * r / rings, 2 * std::numbers::pi * s / sectors);
-    add(std::numbers::pi, 0);
-    const int south = static_cast<int>(mesh.vertices.size()) - 1;
-    const auto at = [&](int r, int s) { return 1 + (r - 1) * sectors + s % sectors; };
-    for (int s = 0; s < sectors; ++s) {
-        mesh.triangles.push_back({0, at(1, s + 1), at(1, s)});
-        mesh.triangles.push_back({south, at(rings - 1, s), at(rings - 1, s + 1)});
-        for (int r = 1; r + 1 < rings; ++r) {
-            mesh.triangles.push_back({at(r, s), at(r, s + 1), at(r + 1, s)});
-            mesh.triangles.push_back({at(r, s + 1), at(r + 1, s + 1), at(r + 1, s)});
-        }
-    }
-    return mesh;
-}
+using geometry::box;
+using geometry::plane;
+using geometry::starBody;
 
 inline geometry::TriangleMesh bumpySphere(int rings = 24, int sectors = 40) {
     return starBody(rings, sectors, [](const Vec3& d) {
         return 1 + 0.08 * std::sin(7 * d.x) * std::sin(6 * d.y + 1) * std::cos(8 * d.z);
     });
-}
-
-/// A flat grid in y = height, facing up: a plane for everything that stays within it.
-inline geometry::TriangleMesh plane(double halfSize, int cells, double height = 0) {
-    geometry::TriangleMesh mesh;
-    for (int i = 0; i <= cells; ++i)
-        for (int j = 0; j <= cells; ++j)
-            mesh.vertices.push_back({halfSize * (2.0 * i / cells - 1), height, halfSize * (2.0 * j / cells - 1)});
-    const auto at = [&](int i, int j) { return i * (cells + 1) + j; };
-    for (int i = 0; i < cells; ++i)
-        for (int j = 0; j < cells; ++j) {
-            mesh.triangles.push_back({at(i, j), at(i, j + 1), at(i + 1, j)});
-            mesh.triangles.push_back({at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)});
-        }
-    return mesh;
 }
 
 /// Solid angle of the surface seen from p, over 4π: 1 inside a closed surface, 0 outside. Knows nothing of nearest
