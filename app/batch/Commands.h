@@ -77,6 +77,14 @@ struct StorageOptions {
 /// What a document's regions save: nodes, elements and bytes against uniform meshes.
 [[nodiscard]] int studyStorage(const StorageOptions& options);
 
+struct CasesOptions {
+    std::vector<std::string> only; ///< numbers of cases; empty = all
+    bool quick = false;            ///< of stability: coarser and shorter
+    std::string out;               ///< folder of the report; empty = only printed
+};
+/// Cases with known answers.
+[[nodiscard]] int studyValidation(const CasesOptions& options, std::stop_token stop);
+
 struct InspectOptions {
     std::string file;
     bool json = false;

@@ -2,6 +2,7 @@
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
 #include "app/batch/Opening.h"
+#include "app/batch/StudyFolder.h"
 #include "core/base/AtomicFile.h"
 #include "core/io/DocumentFile.h"
 #include "core/study/Regions.h"
@@ -22,10 +23,7 @@ int studyRegions(const StudyOptions& options, std::stop_token stop) {
     if (!document) return refuse(document.error());
     auto opened = openScene(document->document, file);
     if (!opened) return refuse(opened.error());
-    std::error_code failed;
-    fs::create_directories(options.out, failed);
-    if (failed)
-        return refuse({ErrorCode::io, fmt::format("This folder cannot be made: {}.", failed.message()), {options.out}});
+    if (auto made = madeFolder(options.out); !made) return refuse(made.error());
 
     const double finest = study::finestSpacing(opened->scene.pattern).value_or(0);
     ProgressBar bar(options.quiet);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
+#include "app/batch/StudyFolder.h"
 #include "core/base/AtomicFile.h"
 #include "core/io/DocumentFile.h"
 
@@ -26,10 +27,7 @@ Result<void> run(const StorageOptions& options) {
     if (!pattern) return tl::unexpected(pattern.error());
     const auto study = study::studyStorage(*pattern);
     if (!study) return tl::unexpected(study.error());
-    std::error_code failed;
-    fs::create_directories(options.out, failed);
-    if (failed)
-        return fail(ErrorCode::io, fmt::format("This folder cannot be made: {}.", failed.message()), {options.out});
+    if (auto made = madeFolder(options.out); !made) return made;
     const fs::path folder(options.out);
     const std::string text = study::storageText(*study, options.file, commandOf(options));
     if (auto written = writeFileAtomically(folder / "report.md", text); !written) return written;

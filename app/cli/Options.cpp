@@ -10,6 +10,7 @@ namespace toile::cli {
 namespace {
 
 using batch::AvatarOptions;
+using batch::CasesOptions;
 using batch::ConvertOptions;
 using batch::InspectOptions;
 using batch::MeshOptions;
@@ -210,6 +211,16 @@ void declareStorage(CLI::App& study, std::function<int()>& chosen) {
     storage->callback([options, &chosen] { chosen = [options] { return batch::studyStorage(*options); }; });
 }
 
+void declareValidation(CLI::App& study, std::stop_token stop, std::function<int()>& chosen) {
+    auto* validation = study.add_subcommand("validation", "cases with known answers");
+    auto options = std::make_shared<CasesOptions>();
+    validation->add_option("--only", options->only, "numbers of cases, as V5,V13; all if none is named")
+        ->delimiter(',');
+    validation->add_option("--out", options->out, "folder of report.md and results.jsonl");
+    validation->callback(
+        [options, stop, &chosen] { chosen = [options, stop] { return batch::studyValidation(*options, stop); }; });
+}
+
 void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
     auto* study = app.add_subcommand("study", "measure how wrong results are, and what they cost");
     study->require_subcommand(1);
@@ -231,6 +242,7 @@ void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& cho
     regions->callback(
         [options, stop, &chosen] { chosen = [options, stop] { return batch::studyRegions(*options, stop); }; });
     declareStorage(*study, chosen);
+    declareValidation(*study, stop, chosen);
 }
 
 } // namespace

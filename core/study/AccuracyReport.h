@@ -3,19 +3,12 @@
 
 #include "core/base/Json.h"
 #include "core/study/Accuracy.h"
+#include "core/study/Circumstances.h"
 
 #include <string>
 #include <vector>
 
 namespace toile::study {
-
-/// What the numbers were measured with.
-struct Circumstances {
-    std::string program;    ///< version and commit
-    std::string command;    ///< that makes the report again
-    std::string processor;  ///< its name
-    double calibration = 0; ///< calibrationSeconds() of the same minute [s]
-};
 
 /// One record a run, as validation.md section 3 has it; keys that do not apply are absent.
 [[nodiscard]] std::vector<Json> recordsOf(const CaseResult& result, const Circumstances& circumstances);

@@ -11,6 +11,7 @@ private slots:
     void aDocumentWithoutRegionsIsSaid();
     void storageIsPrintedAndWritten();
     void aBoxThatIsNoneIsSaid();
+    void casesAreRunByTheirNumbers();
 };
 
 void tst_StudyCommand::aStudyLeavesItsReport() {
@@ -67,6 +68,24 @@ void tst_StudyCommand::aBoxThatIsNoneIsSaid() {
     const Finished finished = run({"study", "storage", file, "--fine", "Hem=0,0,1,1", "--out", folder.path()});
     QCOMPARE(finished.status, 1);
     QVERIFY(finished.err.contains("There is no piece \"Hem\"."));
+}
+
+void tst_StudyCommand::casesAreRunByTheirNumbers() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("validation");
+    const Finished finished = run({"study", "validation", "--only", "V3,V18,V14", "--out", out});
+    QCOMPARE(finished.err, QString());
+    QCOMPARE(finished.status, 0);
+    QVERIFY(finished.out.contains("7 of 7 rows pass. Not offered: V14."));
+    const auto lines = contentOf(out + "/results.jsonl").split('\n');
+    QCOMPARE(lines.size(), 8 + 1); // the last ends with a line end
+    for (const QByteArray& line : lines.first(8))
+        QVERIFY(missingKeys(jsonOf(line), {"schema", "program", "machine", "case", "verdict"}).isEmpty());
+    QVERIFY(contentOf(out + "/report.md").contains("| V14 |"));
+
+    const Finished none = run({"study", "validation", "--only", "V3,V99"});
+    QCOMPARE(none.status, 1);
+    QVERIFY(none.err.contains("There is no validation case \"V99\"."));
 }
 
 QTEST_APPLESS_MAIN(tst_StudyCommand)

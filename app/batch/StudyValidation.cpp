@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/Commands.h"
+#include "app/batch/Console.h"
+#include "app/batch/StudyFolder.h"
+#include "core/base/AtomicFile.h"
+#include "core/study/validation/Report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace toile::batch {
+namespace {
+
+using namespace study::validation;
+
+/// Those that are named; all, where none is.
+struct Chosen {
+    std::vector<Case> cases;
+    std::vector<NotOffered> notOffered;
+};
+
+Result<Chosen> chosenOf(const std::vector<std::string>& numbers) {
+    Chosen chosen{allCases(), casesNotOffered()};
+    if (numbers.empty()) return chosen;
+    const auto isAmong = [](const auto& all, const std::string& number) {
+        return std::ranges::any_of(all, [&](const auto& one) { return one.number == number; });
+    };
+    for (const std::string& number : numbers)
+        if (!isAmong(chosen.cases, number) && !isAmong(chosen.notOffered, number))
+            return fail(ErrorCode::notFound, fmt::format("There is no validation case \"{}\".", number));
+    const auto isNotNamed = [&](const auto& one) { return std::ranges::find(numbers, one.number) == numbers.end(); };
+    std::erase_if(chosen.cases, isNotNamed);
+    std::erase_if(chosen.notOffered, isNotNamed);
+    return chosen;
+}
+
+std::string commandOf(const CasesOptions& options) {
+    std::string command = "toile-cli study validation";
+    if (!options.only.empty()) command += fmt::format(" --only {}", fmt::join(options.only, ","));
+    return options.out.empty() ? command : command + " --out " + options.out;
+}
+
+Result<std::vector<Outcome>> run(const CasesOptions& options, std::stop_token stop) {
+    const auto chosen = chosenOf(options.only);
+    if (!chosen) return tl::unexpected(chosen.error());
+    if (!options.out.empty())
+        if (auto made = madeFolder(options.out); !made) return tl::unexpected(made.error());
+    std::vector<Outcome> outcomes;
+    for (const Case& one : chosen->cases) {
+        if (stop.stop_requested()) return fail(ErrorCode::cancelled, "It was stopped.");
+        outcomes.push_back({one, rowsOf(one)});
+        for (const Row& row : outcomes.back().rows) fmt::print("{}\n", lineOf(row));
+        std::fflush(stdout);
+    }
+    for (const NotOffered& one : chosen->notOffered)
+        fmt::print("{:<5} {}: not offered. {}\n", one.number, one.title, one.reason);
+    fmt::print("{}\n", summaryOf(outcomes, chosen->notOffered));
+    if (options.out.empty()) return outcomes;
+
+    const study::Circumstances circumstances = circumstancesOf(commandOf(options));
+    std::string lines;
+    for (const Json& record : recordsOf(outcomes, chosen->notOffered, circumstances)) lines += toLine(record) + '\n';
+    const std::filesystem::path folder(options.out);
+    if (auto written = writeFileAtomically(folder / "results.jsonl", lines); !written)
+        return tl::unexpected(written.error());
+    if (auto written = writeFileAtomically(folder / "report.md",
+                                           validationText(outcomes, chosen->notOffered, circumstances));
+        !written)
+        return tl::unexpected(written.error());
+    fmt::print("{}/report.md\n", options.out);
+    return outcomes;
+}
+
+} // namespace
+
+int studyValidation(const CasesOptions& options, std::stop_token stop) {
+    const auto outcomes = run(options, stop);
+    if (outcomes) return allPass(*outcomes) ? done : goalMissed;
+    printError(outcomes.error());
+    return inputWrong;
+}
+
+} // namespace toile::batch
