@@ -41,18 +41,19 @@ double secant(const std::vector<material::TensionPoint>& curve, double strain) {
 }
 
 constexpr double shortest = 1e-12; ///< [m]; a shorter spring has no direction of its own
+constexpr int spares = 8;          ///< places for lanes without an element
 
 } // namespace
 
 XpbdSweep::XpbdSweep(const cloth::ClothModel& model, const Eliminated& eliminated, std::span<const double> inverseMass,
                      double h, double cap)
     : model_(model), eliminated_(eliminated), inverseMass_(inverseMass), h_(h), cap_(cap),
-      slaveOf_(model.mass.size(), -1) {
+      slaveOf_(model.mass.size(), -1), places_(model.mass.size() + spares) {
+    for (int s = 0; s < spares; ++s) static_cast<Vec3&>(places_[model.mass.size() + s]) = {1.0 * s, 0, 0};
     for (int s : eliminated.slaves()) slaveOf_[model.slaves[s].particle] = s;
-    for (const auto* springs : {&model.structural, &model.shear, &model.flexion}) compileSprings(*springs);
+    compileSprings();
     for (const auto* stencils : {&model.bending, &model.twist}) compileStencils(*stencils);
     const int n = model.particleCount();
-    springs_ = inOrder(springs_, colouredOrder(springs_, n, [](const Spring& s) { return std::array{s.a, s.b}; }));
     threePoint_ = inOrder(threePoint_, colouredOrder(threePoint_, n, [](const auto& s) { return s.particles; }));
     fourPoint_ = inOrder(fourPoint_, colouredOrder(fourPoint_, n, [](const auto& s) { return s.particles; }));
     triangleOrder_ = colouredOrder(model.triangles, n, [](const auto& t) { return t.particles; });
@@ -67,20 +68,44 @@ bool XpbdSweep::touchesSlave(std::span<const int> particles) const {
     return std::ranges::any_of(particles, [&](int p) { return p >= 0 && slaveOf_[p] >= 0; });
 }
 
-void XpbdSweep::compileSprings(const std::vector<cloth::Spring>& springs) {
-    for (const cloth::Spring& s : springs) {
-        const int particles[] = {s.a, s.b};
-        if (s.stiffness <= 0) continue;
-        if (touchesSlave(particles)) {
-            const double coefficients[] = {-1, 1};
-            compileExpanded(particles, coefficients, s.restLength, s.stiffness);
-            continue;
+void XpbdSweep::compileSprings() {
+    std::vector<Spring> simple;
+    for (const auto* springs : {&model_.structural, &model_.shear, &model_.flexion})
+        for (const cloth::Spring& s : *springs) {
+            const int particles[] = {s.a, s.b};
+            if (s.stiffness <= 0) continue;
+            if (touchesSlave(particles)) {
+                const double coefficients[] = {-1, 1};
+                compileExpanded(particles, coefficients, s.restLength, s.stiffness);
+                continue;
+            }
+            const double wa = inverseMass_[s.a], wb = inverseMass_[s.b];
+            if (wa + wb == 0) continue;
+            const double share = 1 / (wa + wb + compliance(s.stiffness, wa + wb));
+            simple.push_back({s.a, s.b, s.restLength, wa * share, wb * share});
         }
-        const double wa = inverseMass_[s.a], wb = inverseMass_[s.b];
-        if (wa + wb == 0) continue;
-        const double share = 1 / (wa + wb + compliance(s.stiffness, wa + wb));
-        springs_.push_back({s.a, s.b, s.restLength, wa * share, wb * share});
+    const auto ends = [](const Spring& s) { return std::array{s.a, s.b}; };
+    springs_ = inFours(colouredGroups(simple, model_.particleCount(), 4, ends), simple);
+}
+
+/// Lanes without a spring get one between places of their own, at its rest length.
+std::vector<FourSprings> XpbdSweep::inFours(const std::vector<std::vector<int>>& groups,
+                                            const std::vector<Spring>& springs) const {
+    std::vector<FourSprings> fours;
+    fours.reserve(groups.size());
+    for (const std::vector<int>& group : groups) {
+        FourSprings& four = fours.emplace_back();
+        for (int lane = 0; lane < 4; ++lane) {
+            const int spare = model_.particleCount() + 2 * lane;
+            const Spring s = lane < std::ssize(group) ? springs[group[lane]] : Spring{spare, spare + 1, 1, 0, 0};
+            four.a[lane] = s.a;
+            four.b[lane] = s.b;
+            four.restLength[lane] = s.restLength;
+            four.correctionA[lane] = s.correctionA;
+            four.correctionB[lane] = s.correctionB;
+        }
     }
+    return fours;
 }
 
 void XpbdSweep::compileStencils(const std::vector<cloth::Stencil>& stencils) {
@@ -134,40 +159,19 @@ void XpbdSweep::compileExpanded(std::span<const int> particles, std::span<const 
     expanded_.push_back({begin, static_cast<int>(terms_.size()), restLength});
 }
 
-void XpbdSweep::apply(std::span<Vec3> positions) const {
-    applySprings(positions);
-    applyTriangles(positions);
-    applyCells(positions);
-    const auto applyLinear = [&](const auto& stencils) {
-        Vec3* const x = positions.data();
-        for (const auto& s : stencils) {
-            Vec3 value;
-            for (std::size_t i = 0; i < s.particles.size(); ++i) value += s.coefficients[i] * x[s.particles[i]];
-            for (std::size_t i = 0; i < s.particles.size(); ++i) x[s.particles[i]] -= s.corrections[i] * value;
-        }
-    };
-    applyLinear(threePoint_);
-    applyLinear(fourPoint_);
-    applyExpanded(positions);
-    applyHinges(positions);
+void XpbdSweep::apply(std::span<Vec3> positions) {
+    for (std::size_t p = 0; p < positions.size(); ++p) static_cast<Vec3&>(places_[p]) = positions[p];
+    kernels_.springs(places_.data(), springs_);
+    applyTriangles(places_);
+    applyCells(places_);
+    kernels_.threePoint(places_.data(), threePoint_);
+    kernels_.fourPoint(places_.data(), fourPoint_);
+    applyExpanded(places_);
+    applyHinges(places_);
+    for (std::size_t p = 0; p < positions.size(); ++p) positions[p] = places_[p];
 }
 
-void XpbdSweep::applySprings(std::span<Vec3> positions) const {
-    Vec3* const x = positions.data();
-    for (const Spring& s : springs_) {
-        Vec3 d = x[s.b] - x[s.a];
-        double length = geometry::length(d);
-        if (length < shortest) [[unlikely]] {
-            d = {0, shortest, 0}; // any fixed direction parts two particles in one place
-            length = shortest;
-        }
-        const Vec3 change = ((length - s.restLength) / length) * d;
-        x[s.a] += s.correctionA * change;
-        x[s.b] -= s.correctionB * change;
-    }
-}
-
-void XpbdSweep::applyExpanded(std::span<Vec3> x) const {
+void XpbdSweep::applyExpanded(std::span<Place> x) const {
     for (const Expanded& e : expanded_) {
         Vec3 value;
         for (int t = e.begin; t < e.end; ++t) value += terms_[t].coefficient * x[terms_[t].particle];
@@ -176,7 +180,7 @@ void XpbdSweep::applyExpanded(std::span<Vec3> x) const {
     }
 }
 
-Vec3 XpbdSweep::placeOf(int particle, std::span<const Vec3> x) const {
+Vec3 XpbdSweep::placeOf(int particle, std::span<const Place> x) const {
     if (slaveOf_[particle] < 0) return x[particle];
     Vec3 place;
     for (const auto& [master, weight] : model_.slaves[slaveOf_[particle]].masters) place += weight * x[master];
@@ -192,7 +196,7 @@ struct XpbdSweep::Mover {
 };
 
 template <int Constraints, int Corners>
-void XpbdSweep::solveBlock(std::span<Vec3> x, const std::array<int, Corners>& particles,
+void XpbdSweep::solveBlock(std::span<Place> x, const std::array<int, Corners>& particles,
                            const std::array<double, Constraints>& values,
                            const std::array<std::array<Vec3, Corners>, Constraints>& gradients,
                            const std::array<double, Constraints>& stiffness) const {
@@ -221,7 +225,7 @@ void XpbdSweep::solveBlock(std::span<Vec3> x, const std::array<int, Corners>& pa
 
 /// Solves a few constraints of one element together: (G W Gᵀ + compliance)·λ = −C, Δx = W Gᵀ λ.
 template <int Constraints>
-void XpbdSweep::solveMovers(std::span<Vec3> x, std::span<const Mover<Constraints>> movers,
+void XpbdSweep::solveMovers(std::span<Place> x, std::span<const Mover<Constraints>> movers,
                             const std::array<double, Constraints>& values,
                             const std::array<double, Constraints>& stiffness) const {
     std::array<std::array<double, Constraints>, Constraints> a{};
@@ -250,7 +254,7 @@ void XpbdSweep::solveMovers(std::span<Vec3> x, std::span<const Mover<Constraints
     }
 }
 
-void XpbdSweep::applyHinges(std::span<Vec3> x) const {
+void XpbdSweep::applyHinges(std::span<Place> x) const {
     for (const cloth::Hinge& h : model_.hinges) {
         const std::array<int, 4> particles{h.a, h.b, h.c, h.d};
         const cloth::FoldAngle fold =
@@ -259,7 +263,7 @@ void XpbdSweep::applyHinges(std::span<Vec3> x) const {
     }
 }
 
-void XpbdSweep::applyTriangles(std::span<Vec3> x) const {
+void XpbdSweep::applyTriangles(std::span<Place> x) const {
     static const cloth::TensionCurves linear;
     for (int index : triangleOrder_) {
         const cloth::MembraneTriangle& t = model_.triangles[index];
@@ -286,7 +290,7 @@ void XpbdSweep::applyTriangles(std::span<Vec3> x) const {
     }
 }
 
-void XpbdSweep::applyCells(std::span<Vec3> x) const {
+void XpbdSweep::applyCells(std::span<Place> x) const {
     static const cloth::TensionCurves linear;
     for (int index : cellOrder_) {
         const cloth::MembraneCell& cell = model_.cells[index];
@@ -333,7 +337,7 @@ void XpbdSweep::applyCells(std::span<Vec3> x) const {
 
 std::size_t XpbdSweep::bytes() const {
     const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-    return of(slaveOf_) + of(springs_) + of(threePoint_) + of(fourPoint_) + of(expanded_) + of(terms_) +
+    return of(slaveOf_) + of(places_) + of(springs_) + of(threePoint_) + of(fourPoint_) + of(expanded_) + of(terms_) +
            of(triangleOrder_) + of(cellOrder_);
 }
 

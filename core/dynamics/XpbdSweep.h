@@ -3,6 +3,7 @@
 
 #include "core/cloth/ClothModel.h"
 #include "core/dynamics/Eliminated.h"
+#include "core/dynamics/SweepKernels.h"
 
 #include <array>
 #include <cstddef>
@@ -20,7 +21,7 @@ public:
               double h, double cap);
 
     /// One Gauss–Seidel pass over all elements. Slaves are read through their masters and not written.
-    void apply(std::span<Vec3> positions) const;
+    void apply(std::span<Vec3> positions);
     [[nodiscard]] std::size_t bytes() const;
 
 private:
@@ -28,11 +29,6 @@ private:
         int a, b;
         double restLength;
         double correctionA, correctionB; ///< w/(w_a + w_b + compliance)
-    };
-    template <int N>
-    struct Linear { // |Σ c·x| → 0
-        std::array<int, N> particles;
-        std::array<double, N> coefficients, corrections;
     };
     struct Term {
         int particle;
@@ -43,28 +39,29 @@ private:
         double restLength;
     };
 
-    void compileSprings(const std::vector<cloth::Spring>& springs);
+    void compileSprings();
+    [[nodiscard]] std::vector<FourSprings> inFours(const std::vector<std::vector<int>>& groups,
+                                                   const std::vector<Spring>& springs) const;
     void compileStencils(const std::vector<cloth::Stencil>& stencils);
     void compileExpanded(std::span<const int> particles, std::span<const double> coefficients, double restLength,
                          double stiffness);
     [[nodiscard]] double compliance(double stiffness, double inverseMass) const;
     [[nodiscard]] bool touchesSlave(std::span<const int> particles) const;
 
-    void applySprings(std::span<Vec3> x) const;
-    void applyExpanded(std::span<Vec3> x) const;
-    void applyHinges(std::span<Vec3> x) const;
-    void applyTriangles(std::span<Vec3> x) const;
-    void applyCells(std::span<Vec3> x) const;
-    [[nodiscard]] Vec3 placeOf(int particle, std::span<const Vec3> x) const;
+    void applyExpanded(std::span<Place> x) const;
+    void applyHinges(std::span<Place> x) const;
+    void applyTriangles(std::span<Place> x) const;
+    void applyCells(std::span<Place> x) const;
+    [[nodiscard]] Vec3 placeOf(int particle, std::span<const Place> x) const;
 
     template <int Constraints>
     struct Mover;
     template <int Constraints>
-    void solveMovers(std::span<Vec3> x, std::span<const Mover<Constraints>> movers,
+    void solveMovers(std::span<Place> x, std::span<const Mover<Constraints>> movers,
                      const std::array<double, Constraints>& values,
                      const std::array<double, Constraints>& stiffness) const;
     template <int Constraints, int Corners>
-    void solveBlock(std::span<Vec3> x, const std::array<int, Corners>& particles,
+    void solveBlock(std::span<Place> x, const std::array<int, Corners>& particles,
                     const std::array<double, Constraints>& values,
                     const std::array<std::array<Vec3, Corners>, Constraints>& gradients,
                     const std::array<double, Constraints>& stiffness) const;
@@ -74,7 +71,9 @@ private:
     std::span<const double> inverseMass_;
     double h_, cap_;
     std::vector<int> slaveOf_; ///< index into model.slaves; −1 = none
-    std::vector<Spring> springs_;
+    const SweepKernels& kernels_ = fastestKernels();
+    std::vector<Place> places_; ///< all particles, then some that no element moves
+    std::vector<FourSprings> springs_;
     std::vector<Linear<3>> threePoint_;
     std::vector<Linear<4>> fourPoint_;
     std::vector<Expanded> expanded_;
