@@ -65,8 +65,8 @@ Result<std::vector<Outcome>> run(const CasesOptions& options, std::stop_token st
     const std::filesystem::path folder(options.out);
     if (auto written = writeFileAtomically(folder / "results.jsonl", lines); !written)
         return tl::unexpected(written.error());
-    if (auto written = writeFileAtomically(folder / "report.md",
-                                           validationText(outcomes, chosen->notOffered, circumstances));
+    if (auto written =
+            writeFileAtomically(folder / "report.md", validationText(outcomes, chosen->notOffered, circumstances));
         !written)
         return tl::unexpected(written.error());
     fmt::print("{}/report.md\n", options.out);

@@ -48,6 +48,29 @@ TriangleMesh starBody(int rings, int sectors, const Radius& radius) {
     return mesh;
 }
 
+/// A closed cylinder round the y axis.
+inline TriangleMesh cylinder(double radius, double halfHeight, int sectors, int rings) {
+    TriangleMesh mesh;
+    for (int r = 0; r <= rings; ++r)
+        for (int s = 0; s < sectors; ++s) {
+            const double turn = 2 * std::numbers::pi * s / sectors, y = halfHeight * (2.0 * r / rings - 1);
+            mesh.vertices.push_back({radius * std::cos(turn), y, radius * std::sin(turn)});
+        }
+    const int bottom = static_cast<int>(mesh.vertices.size()), top = bottom + 1;
+    mesh.vertices.push_back({0, -halfHeight, 0});
+    mesh.vertices.push_back({0, halfHeight, 0});
+    const auto at = [&](int r, int s) { return r * sectors + s % sectors; };
+    for (int s = 0; s < sectors; ++s) {
+        mesh.triangles.push_back({bottom, at(0, s), at(0, s + 1)});
+        mesh.triangles.push_back({top, at(rings, s + 1), at(rings, s)});
+        for (int r = 0; r < rings; ++r) {
+            mesh.triangles.push_back({at(r, s), at(r + 1, s), at(r + 1, s + 1)});
+            mesh.triangles.push_back({at(r, s), at(r + 1, s + 1), at(r, s + 1)});
+        }
+    }
+    return mesh;
+}
+
 /// A flat grid in y = height, facing up: a plane for everything that stays within it.
 inline TriangleMesh plane(double halfSize, int cells, double height = 0) {
     TriangleMesh mesh;

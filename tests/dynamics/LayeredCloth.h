@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/collision/Intersections.h"
-#include "core/dynamics/SelfContact.h"
 #include "core/dynamics/Xpbd.h"
+#include "core/study/validation/Layers.h"
 #include "tests/cloth/Fixtures.h"
 
 #include <QtTest>
@@ -11,41 +10,9 @@
 /// Sheets of cloth above and beside each other, for the tests of self-contact.
 namespace toile::layers {
 
-constexpr double thickness = 0.5e-3; // [m]
-
-struct Cloth {
-    cloth::ClothModel model;
-    dynamics::ParticleState state;
-    dynamics::ClothSurface surface;
-
-    [[nodiscard]] int intersections() const {
-        return static_cast<int>(collision::selfIntersectingTriangles({state.positions, surface.triangles}).size());
-    }
-};
-
-/// Appends a sheet of columns × rows cells; `place` says where a point of its plane lies. Returns its first
-/// particle.
-template <class Place>
-int append(Cloth& cloth, double width, int columns, double height, int rows, double friction, const Place& place) {
-    const int first = cloth.model.particleCount();
-    auto patch = fixtures::gridPatch(fixtures::evenLines(width, columns), fixtures::evenLines(height, rows));
-    for (int& particle : patch.particles) particle += first;
-    const auto report = cloth::appendPatch(cloth.model, patch, material::Fabric{});
-    if (!report) qFatal("%s", toString(report.error()).c_str());
-    for (const Vec2& m : patch.material) cloth.state.positions.push_back(place(m));
-    cloth.state.velocities.resize(cloth.state.positions.size());
-    for (const auto& cell : patch.rectangles) {
-        std::array<int, 4> n = cell.nodes;
-        for (int& node : n) node += first;
-        cloth.surface.triangles.push_back({n[0], n[1], n[2]});
-        cloth.surface.triangles.push_back({n[0], n[2], n[3]});
-    }
-    const std::size_t count = cloth.model.mass.size();
-    cloth.surface.halfThickness.resize(count, thickness / 2);
-    cloth.surface.friction.resize(count, friction);
-    cloth.surface.room.resize(count, std::min(width / columns, height / rows) / std::sqrt(2.0));
-    return first;
-}
+using study::validation::append;
+using Cloth = study::validation::LayeredCloth;
+constexpr double thickness = study::validation::layerThickness; // [m]
 
 inline void pin(Cloth& cloth, int first, int last) {
     for (int p = first; p < last; ++p) cloth.model.pinned.push_back(p);

@@ -36,5 +36,8 @@ struct NotOffered {
 [[nodiscard]] std::vector<Case> oscillationCases();
 [[nodiscard]] std::vector<Case> integratorCases();
 [[nodiscard]] std::vector<Case> contactCases();
+[[nodiscard]] std::vector<Case> sewingCases();
+[[nodiscard]] std::vector<Case> wrappingCases();
+[[nodiscard]] std::vector<Case> impactCases();
 
 } // namespace toile::study::validation

@@ -197,6 +197,21 @@ void v20BiasStripStretchesAsItsComplianceSays(Findings& found) {
     found.atMost("bias strip, forces of free nodes", 1e-4, pulls[0].rest / (expected * small * 0.03));
 }
 
+/// A wool of 168 g/m² as a laboratory of FAST reports it: bending lengths in mm, stiffness in µN·m.
+void v30UnitsOfFast(Findings& found) {
+    struct Row {
+        double length, stiffness;
+    };
+    for (const Row& row : {Row{15.00, 5.56}, {14.50, 5.02}}) {
+        Fabric wool = testWeave();
+        wool.arealDensity = 0.168;
+        wool.warpBending = wool.weftBending = wool.biasBending = 168 * std::pow(row.length, 3) * 9.81e-6 * 1e-6;
+        found.within(fmt::format("FAST, 168 g/m², c = {:.2f} mm: B [µN·m], as reported", row.length), row.stiffness,
+                     1e6 * wool.warpBending, 0.005 / row.stiffness); // its last digit
+        found.within("the same: our bending length [mm]", row.length, 1e3 * material::bendingLength(wool), 1e-12);
+    }
+}
+
 } // namespace
 
 std::vector<Case> elasticityCases() {
@@ -206,6 +221,7 @@ std::vector<Case> elasticityCases() {
         {"V19", theme, "a strip with free sides", v19FreeSidesShowTheUniaxialModulus},
         {"V19b", theme, "ten measured fabrics at three aspects", v19bMeasuredFabricsAtThreeAspects},
         {"V20", theme, "bias extension", v20BiasStripStretchesAsItsComplianceSays},
+        {"V30", theme, "units of FAST", v30UnitsOfFast},
     };
 }
 

@@ -20,8 +20,7 @@ struct Outcome {
 
 /// The table in Markdown: every row with its verdict, and what is not offered with the reason.
 [[nodiscard]] std::string validationText(const std::vector<Outcome>& outcomes,
-                                         const std::vector<NotOffered>& notOffered,
-                                         const Circumstances& circumstances);
+                                         const std::vector<NotOffered>& notOffered, const Circumstances& circumstances);
 
 /// One record a row, and one for each case that is not offered.
 [[nodiscard]] std::vector<Json> recordsOf(const std::vector<Outcome>& outcomes,

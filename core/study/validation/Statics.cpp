@@ -147,6 +147,28 @@ void v7CatenaryOfStiffLinks(Findings& found) {
     found.within("order to the continuum, 32 to 64 links", 2, std::log2(errors[0] / errors[1]), 0.1);
 }
 
+/// A narrow strip of triangles that hangs along its bias.
+void v32BiasStripUnderItsOwnWeight(Findings& found) {
+    constexpr double strip = 1, width = 0.02;
+    Fabric fabric = testWeave();
+    fabric.warpBending = fabric.weftBending = fabric.biasBending = 0;
+    const auto c = material::membraneStiffness(fabric, fabric.shearStiffness);
+    if (!found.ran(c)) return;
+    const double d = c->c11 * c->c22 - c->c12 * c->c12;
+    const double modulus = 4 / (c->c22 / d + c->c11 / d - 2 * c->c12 / d + 1 / c->c33);
+    Patch patch = trianglePatch(evenLines(width, 2), evenLines(strip, 100));
+    ParticleState state{.positions = flatPositions(patch), .velocities = {}};
+    for (Vec2& m : patch.material) m = geometry::rotated(m, std::numbers::pi / 4);
+    ClothModel model = modelOf(patch, fabric);
+    for (int p = 0; p < model.particleCount(); ++p)
+        if (state.positions[p].y > strip - 1e-9) model.pinned.push_back(p);
+    settle(found, model, state, 1e-6);
+    double lowest = 0;
+    for (const Vec3& x : state.positions) lowest = std::min(lowest, x.y);
+    found.within("bias strip of 1 m, 2 × 100 cells: elongation by its weight [m]",
+                 fabric.arealDensity * g * strip * strip / (2 * modulus), -lowest, 0.02);
+}
+
 } // namespace
 
 std::vector<Case> staticCases() {
@@ -157,6 +179,7 @@ std::vector<Case> staticCases() {
         {"V5", theme, "cantilever under its own weight", v5CantileverUnderItsOwnWeight},
         {"V6", theme, "Peirce's bending length", v6PeirceBendingLength},
         {"V7", theme, "catenary", v7CatenaryOfStiffLinks},
+        {"V32", theme, "bias strip under its own weight", v32BiasStripUnderItsOwnWeight},
     };
 }
 

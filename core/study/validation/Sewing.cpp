@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cloth/Forces.h"
+#include "core/dynamics/Energy.h"
+#include "core/dynamics/Method.h"
+#include "core/dynamics/Statics.h"
+#include "core/simulation/SeamClosing.h"
+#include "core/simulation/Simulation.h"
+#include "core/study/validation/Cases.h"
+#include "core/study/validation/Pieces.h"
+#include "core/study/validation/Sheets.h"
+#include "core/study/validation/Tube.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace toile::study::validation {
+namespace {
+
+using simulation::Simulation;
+
+Vec3 centreOfMass(const ClothModel& model, const ParticleState& state) {
+    Vec3 sum;
+    double mass = 0;
+    for (int p = 0; p < model.particleCount(); ++p) {
+        sum += state.positions[p] * model.mass[p];
+        mass += model.mass[p];
+    }
+    return sum / mass;
+}
+
+void v21TwoSquaresAreSewn(Findings& found) {
+    auto simulation = Simulation::create(twoSquares());
+    if (!found.ran(simulation)) return;
+    const Vec3 start = centreOfMass(simulation->garment().model, simulation->state());
+    double largestMomentum = 0, momentumScale = 0, kineticRise = 0, kineticBefore = 0;
+    for (int step = 0; step < 180 && !simulation->allSeamsMerged(); ++step) {
+        if (!found.ran(simulation->advance())) return;
+        const auto& model = simulation->garment().model;
+        largestMomentum = std::max(largestMomentum, length(dynamics::momentum(model, simulation->state())));
+        double scale = 0;
+        for (int p = 0; p < model.particleCount(); ++p)
+            scale += model.mass[p] * length(simulation->state().velocities[p]);
+        momentumScale = std::max(momentumScale, scale);
+        const double kinetic = dynamics::energies(model, simulation->state(), {}).kinetic;
+        if (simulation->allSeamsMerged()) kineticRise = kinetic - kineticBefore;
+        kineticBefore = kinetic;
+    }
+    if (!simulation->allSeamsMerged()) return found.stop("The seam did not close within 3 s.");
+    found.atMost("two squares, gap 0.2 m: momentum, of Σm|v|", 1e-12, largestMomentum / momentumScale);
+    found.atMost("the same: gap after the merge [m]", 0, simulation->gapOf(0).maximum);
+    found.atMost("the same: gap at the merge [m]", 0.5e-3, simulation->seams()[0].gapAtMerge);
+    found.atMost("the same: rise of kinetic energy at the merge [J]", 1e-12, kineticRise);
+    found.atMost("the same: way of the centre of mass [m]", 1e-12,
+                 geometry::distance(start, centreOfMass(simulation->garment().model, simulation->state())));
+}
+
+/// Two sheets of 0.1 m that face each other over a gap of 0.1 m, with a pair of a seam at every node of the facing
+/// sides.
+struct FacingSheets {
+    ClothModel model;
+    ParticleState state;
+    std::vector<simulation::SeamPair> pairs;
+
+    FacingSheets() {
+        constexpr int cells = 5;
+        for (const double x : {-0.15, 0.05}) {
+            Patch patch = gridPatch(evenLines(0.1, cells), evenLines(0.1, cells));
+            const int first = model.particleCount();
+            for (int& particle : patch.particles) particle += first;
+            const auto done = cloth::appendPatch(model, patch, testWeave());
+            expects(done.has_value(), "a sheet is a cloth");
+            for (const Vec2& m : patch.material) state.positions.push_back({x + m.x, m.y, 0});
+        }
+        state.velocities.resize(state.positions.size());
+        const int half = model.particleCount() / 2;
+        for (int row = 0; row <= cells; ++row)
+            pairs.push_back({row * (cells + 1) + cells, half + row * (cells + 1), 0.1, 0});
+    }
+};
+
+void v22WorkOfASeam(Findings& found) {
+    FacingSheets sheets;
+    constexpr double damping = 2; // [1/s]
+    simulation::SeamClosing seam(sheets.pairs, {}, sheets.model.mass);
+    dynamics::Stage* stages[] = {&seam};
+    const auto integrator = dynamics::makeIntegrator(dynamics::Method::rk4, sheets.model, {.damping = damping});
+    const double h = 0.1 * integrator->stepLimit(sheets.state.positions, stages);
+    const auto seamForces = [&] {
+        std::vector<Vec3> forces(sheets.state.positions.size());
+        seam.addForces(sheets.state.positions, forces);
+        return forces;
+    };
+    const auto twiceKinetic = [&] {
+        double sum = 0;
+        for (int p = 0; p < sheets.model.particleCount(); ++p)
+            sum += sheets.model.mass[p] * squaredLength(sheets.state.velocities[p]);
+        return sum;
+    };
+    const double potential = seam.energy(sheets.state.positions);
+    double work = 0, lost = 0; // by the trapezoidal rule [J]
+    std::vector<Vec3> forces = seamForces();
+    while (sheets.state.time < 0.2 && !found.stopped()) {
+        const std::vector<Vec3> before = sheets.state.positions;
+        const double motion = twiceKinetic();
+        found.ran(integrator->step(sheets.state, h, {}, stages));
+        const std::vector<Vec3> after = seamForces();
+        for (std::size_t p = 0; p < before.size(); ++p)
+            work += 0.5 * dot(forces[p] + after[p], sheets.state.positions[p] - before[p]);
+        lost += 0.5 * h * damping * (motion + twiceKinetic());
+        forces = after;
+    }
+    const dynamics::Energies now = dynamics::energies(sheets.model, sheets.state, {});
+    found.within("seam as a force: its work over the fall of its potential", 1,
+                 work / (potential - seam.energy(sheets.state.positions)), 0.01);
+    found.within("the same: motion, strain and drag over its work", 1, (now.kinetic + now.elastic + lost) / work, 0.01);
+}
+
+void v23ClosedTubeIsRound(Findings& found) {
+    constexpr double round = 0.4, height = 0.05;
+    Fabric fabric = testWeave();
+    auto tube = tubeOf(found, fabric, round, height, round / 64);
+    if (!tube) return;
+    for (Vec3& x : tube->state.positions) x = {1.15 * x.x, x.y, x.z / 1.15}; // squeezed flat a little
+    const auto rest = dynamics::solveStatic(tube->garment.model, tube->state, {}, {}, {.tolerance = 1e-4});
+    if (!found.ran(rest)) return;
+    if (!rest->newton.converged) return found.stop("It did not come to rest.");
+    const Vec3 centre = centreOfMass(tube->garment.model, tube->state);
+    double sum = 0, least = 1, most = 0;
+    for (const Vec3& x : tube->state.positions) {
+        const double radius = std::hypot(x.x - centre.x, x.z - centre.z);
+        sum += radius / static_cast<double>(tube->state.positions.size());
+        least = std::min(least, radius);
+        most = std::max(most, radius);
+    }
+    found.within("tube of 64 cells round, radius", tube->radius(), sum, 0.005);
+    found.atMost("the same: largest over least radius, less one", 0.005, most / least - 1);
+    found.within("the same: energy of bending", fabric.weftBending * height * std::numbers::pi / tube->radius(),
+                 cloth::elasticEnergy(tube->garment.model, tube->state.positions).bending, 0.01);
+}
+
+} // namespace
+
+std::vector<Case> sewingCases() {
+    constexpr std::string_view theme = "sewing";
+    return {
+        {"V21", theme, "seam closing", v21TwoSquaresAreSewn},
+        {"V22", theme, "seam force accounting", v22WorkOfASeam},
+        {"V23", theme, "closed tube", v23ClosedTubeIsRound},
+    };
+}
+
+} // namespace toile::study::validation

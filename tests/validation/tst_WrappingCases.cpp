@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/validation/ThemeTest.h"
+
+using namespace toile::study::validation;
+
+class tst_WrappingCases : public QObject {
+    Q_OBJECT
+private slots:
+    void passes_data() { addRowsFor(wrappingCases()); }
+    void passes() { checkRow(wrappingCases()); }
+};
+
+QTEST_APPLESS_MAIN(tst_WrappingCases)
+#include "tst_WrappingCases.moc"
