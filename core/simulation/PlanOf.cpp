@@ -33,7 +33,8 @@ void leaveOutElements(StepPlan& plan, const Garment& garment) {
 } // namespace
 
 StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
-                std::vector<SeamPair> pairs, std::span<const Vec3> positions) {
+                std::vector<SeamPair> pairs, std::shared_ptr<const std::vector<Grip>> grips,
+                std::span<const Vec3> positions) {
     StepPlan plan;
     leaveOutElements(plan, garment);
 
@@ -41,6 +42,9 @@ StepPlan planOf(const Scene& scene, const Garment& garment, const collision::Bod
         scene.paper ? paperSewing : SeamClosingSettings{.duration = scene.settings.seamTime};
     if (!pairs.empty()) plan.add(std::make_unique<SeamClosing>(pairs, closing, garment.model.mass));
     else plan.leaveOut("seams", garment.mergedSeams.empty() ? "the pattern has no seam" : "all seams are merged");
+
+    if (!grips->empty()) plan.add(std::make_unique<Grips>(std::move(grips), scene.pattern, garment, positions));
+    else plan.leaveOut("hands", "nobody holds the cloth");
 
     if (body) plan.add(bodyContactOf(scene, garment, *body, positions));
     else plan.leaveOut("body contact", "no body");

@@ -3,6 +3,7 @@
 
 #include "core/collision/BodySurface.h"
 #include "core/simulation/Garment.h"
+#include "core/simulation/Grips.h"
 #include "core/simulation/Scene.h"
 #include "core/simulation/SeamClosing.h"
 #include "core/simulation/StepPlan.h"
@@ -10,8 +11,9 @@
 namespace toile::simulation {
 
 /// What one step of this scene does: read from top to bottom. body may be null; pairs are those of seams being
-/// closed; positions those of the particles now [m].
+/// closed; grips what hands hold; positions those of the particles now [m].
 [[nodiscard]] StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
-                              std::vector<SeamPair> pairs, std::span<const Vec3> positions);
+                              std::vector<SeamPair> pairs, std::shared_ptr<const std::vector<Grip>> grips,
+                              std::span<const Vec3> positions);
 
 } // namespace toile::simulation

@@ -46,6 +46,10 @@ public:
         ++steps_;
         wake();
     }
+    void hold(std::vector<Grip> grips) {
+        grips_.put(std::move(grips));
+        wake();
+    }
     void requestReset() {
         playing_ = false;
         reset_ = true;
@@ -64,6 +68,7 @@ private:
     // -- shared
     Mailbox<Order> orders_;
     Mailbox<Frame> frames_;
+    Mailbox<std::vector<Grip>> grips_;
     std::atomic<bool> playing_{false}, reset_{false};
     std::atomic<bool> pushed_{false}; ///< play was ordered and not seen yet
     std::atomic<int> steps_{0};
@@ -78,6 +83,7 @@ private:
             const bool mayPlay = playing_, mayStep = steps_ > 0;
             if (auto order = orders_.take()) accept(std::move(*order));
             if (reset_.exchange(false)) restart();
+            if (auto grips = grips_.take()) take(std::move(*grips));
             if (pushed_.exchange(false) && stands()) playUntil_ = simulation_->state().time + atLeast;
             if (mayStep) {
                 --steps_;
@@ -101,6 +107,13 @@ private:
         generation_ = order.generation;
         adopt(simulation_ && simulation_->steps() > 0 ? Simulation::continued(scene_, *simulation_)
                                                       : Simulation::create(scene_));
+    }
+
+    /// A hand that moves wakes a garment at rest.
+    void take(std::vector<Grip> grips) {
+        if (!stands()) return;
+        simulation_->hold(std::move(grips));
+        playUntil_ = simulation_->state().time + atLeast;
     }
 
     void restart() {
@@ -163,6 +176,9 @@ void Runner::step() {
 }
 void Runner::reset() {
     worker_->requestReset();
+}
+void Runner::hold(std::vector<Grip> grips) {
+    worker_->hold(std::move(grips));
 }
 bool Runner::isPlaying() const {
     return worker_->isPlaying();

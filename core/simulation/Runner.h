@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/simulation/Frame.h"
+#include "core/simulation/Grips.h"
 #include "core/simulation/Scene.h"
 
 #include <memory>
@@ -24,7 +25,9 @@ public:
     void play();
     void pause();
     void step();  ///< one frame step, then paused
-    void reset(); ///< back to the placement, paused
+    void reset(); ///< back to the placement, paused; nothing is held any more
+    /// What hands hold from now on. While the cloth plays it follows them, also if it was at rest.
+    void hold(std::vector<Grip> grips);
     [[nodiscard]] bool isPlaying() const;
     /// Something ordered is still to be done, or time is running: frames will come. Otherwise the thread sleeps.
     [[nodiscard]] bool isBusy() const;

@@ -22,6 +22,11 @@ constexpr double positionTolerance = 1e-4;
 /// Frame steps of backward Euler before a method takes over from XPBD, whose soft state would ring at the true
 /// stiffness: twice a factor of 1/ωh. Ref: Rannacher 1984
 constexpr int calming = 2;
+/// Of cloth that hands hold [1/s]: its taut edges are strings that would go on ringing, by position-based steps for
+/// ever.
+constexpr double handDamping = 5;
+/// The least of a frame step while they do: in few substeps cloth is soft, and a hand stretches it like rubber.
+constexpr int handSubsteps = 40;
 /// A seam that is still open this long after its ramp ended is given up, so that the next order may begin [s].
 constexpr double patience = 2.0;
 
@@ -93,7 +98,7 @@ void addCosts(std::vector<StepPlan::StageCost>& sum, const std::vector<StepPlan:
 
 Simulation::Simulation(Scene scene, Garment garment, std::shared_ptr<const collision::BodySurface> body)
     : scene_(std::move(scene)), garment_(std::make_unique<const Garment>(std::move(garment))), body_(std::move(body)),
-      topology_(topologyOf(scene_.pattern, *garment_->mesh)) {
+      topology_(topologyOf(scene_.pattern, *garment_->mesh)), grips_(std::make_shared<std::vector<Grip>>()) {
     state_.positions = particlePositions(garment_->particles, placedNodes(scene_.pattern, *garment_->mesh));
     state_.velocities.assign(state_.positions.size(), Vec3{});
     for (std::size_t seam = 0; seam < garment_->mesh->seams.size(); ++seam) {
@@ -144,6 +149,7 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) 
     after.state_.positions = particlePositions(after.garment_->particles, nodes);
     after.state_.time = before.state_.time;
     after.steps_ = before.steps_;
+    after.grips_ = before.grips_;
     after.seamStart_.assign(after.seams_.size(), -1);
     after.startDueSeams();
     after.rebuildPlan();
@@ -162,7 +168,7 @@ void Simulation::rebuildPlan() {
     addCosts(formerCosts_, plan_.costs());
     Scene now = scene_;
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
-    plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), state_.positions);
+    plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), grips_, state_.positions);
     plannedDamping_ = damping();
     if (scene_.paper) {
         integrator_ = integratorOf(dynamics::Method::subcycledEuler);
@@ -174,6 +180,7 @@ void Simulation::rebuildPlan() {
                     ? scene_.settings.substeps
                     : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
                                             length(scene_.settings.gravity));
+    if (!grips_->empty() && scene_.settings.substeps == 0) substeps_ = std::max(substeps_, handSubsteps);
     if (phase_ == Phase::sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
     integrator_.reset();
     calmingFrames_ = 0;
@@ -188,13 +195,25 @@ std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method 
 }
 
 double Simulation::damping() const {
-    if (phase_ == Phase::draping) return scene_.settings.damping;
+    if (phase_ == Phase::draping)
+        return grips_->empty() ? scene_.settings.damping : std::max(scene_.settings.damping, handDamping);
     const bool stiffening = phase_ == Phase::shaking && state_.time < sewnTime_ + dressing.stiffeningTime;
     return phase_ == Phase::sewing || stiffening ? dressing.sewingDamping : dressing.shakingDamping;
 }
 
 void Simulation::drapeWith(std::optional<dynamics::Method> method) {
     drapingMethod_ = method;
+    rebuildPlan();
+}
+
+void Simulation::hold(std::vector<Grip> grips) {
+    if (*grips_ == grips) return;
+    restingTime_ = 0;
+    if (std::ranges::equal(*grips_, grips, &Grip::samePlace)) {
+        *grips_ = std::move(grips);
+        return;
+    }
+    grips_ = std::make_shared<std::vector<Grip>>(std::move(grips)); // the plan that stands reads the others
     rebuildPlan();
 }
 

@@ -8,6 +8,7 @@
 #include "core/dynamics/Xpbd.h"
 #include "core/simulation/Frame.h"
 #include "core/simulation/Garment.h"
+#include "core/simulation/Grips.h"
 #include "core/simulation/MeshInputOf.h"
 #include "core/simulation/Scene.h"
 #include "core/simulation/StepPlan.h"
@@ -74,6 +75,9 @@ public:
     /// to settle().
     void drapeWith(std::optional<dynamics::Method> method);
 
+    /// What hands hold from now on, instead of what they held. Cheap while only targets move.
+    void hold(std::vector<Grip> grips);
+
     /// One frame step of the scene. Error when a number is no longer finite: the state before is kept.
     [[nodiscard]] Result<void> advance(std::stop_token stop = {});
 
@@ -131,6 +135,7 @@ private:
     std::shared_ptr<const collision::BodySurface> body_;
     Shared<FrameTopology> topology_;
     dynamics::ParticleState state_;
+    std::shared_ptr<std::vector<Grip>> grips_; ///< never null; the plan's stage reads it
     StepPlan plan_;
     std::unique_ptr<dynamics::Xpbd> xpbd_;
     std::optional<dynamics::Method> drapingMethod_ = dynamics::Method::xpbd;

@@ -20,6 +20,7 @@ private slots:
     void aWrongSceneGivesAMessage();
     void aGarmentGoesOnAfterASceneThatCannotBeBuilt();
     void aGarmentAtRestSleepsUntilSomethingChanges();
+    void aHandWakesAGarmentAtRest();
     void fiveHundredEditsWhileItSews();
 
 private:
@@ -151,6 +152,18 @@ void tst_Runner::aGarmentAtRestSleepsUntilSomethingChanges() {
     QVERIFY(sleeps());
 }
 
+void tst_Runner::aHandWakesAGarmentAtRest() {
+    Runner runner;
+    runner.setScene(twoSquares(0.05), 1);
+    runner.play();
+    QVERIFY(waitForFrame(runner, [](const Frame& f) { return f.atRest; }));
+    QVERIFY(QTest::qWaitFor([&] { return !runner.isBusy(); }, 60000));
+    runner.hold({{.piece = "left", .material = {0.1, 0.1}, .target = {-0.1, 1.2, 0.1}}});
+    QVERIFY(waitForFrame(runner, [](const Frame& f) {
+        return std::ranges::any_of(f.positions, [](const Vec3& p) { return p.z > 0.08; });
+    }));
+}
+
 void tst_Runner::fiveHundredEditsWhileItSews() {
     Runner runner;
     std::mt19937 random(1234);
@@ -165,6 +178,9 @@ void tst_Runner::fiveHundredEditsWhileItSews() {
         piece.outline.vertices[vertex].position = corner + Vec2{shift(random), shift(random)};
         scene.pattern.pieces[generation % 2] = piece;
         runner.setScene(scene, generation);
+        if (generation % 3 == 0)
+            runner.hold({{.piece = "left", .material = {0.1, 0.1}, .target = {-0.2 + shift(random), 1.1, 0}}});
+        if (generation % 20 == 0) runner.hold({});
         if (generation % 50 == 0) runner.reset();
         if (generation % 50 == 1) runner.play();
         (void)runner.takeFrame();

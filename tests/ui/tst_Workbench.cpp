@@ -22,6 +22,7 @@ struct FakeSimulation : Simulation {
         std::optional<simulation::Frame> frame;
         bool playing = false, busy = false;
         int resets = 0;
+        std::vector<simulation::Grip> grips;
     };
     explicit FakeSimulation(Log& l) : log(l) {}
     void setScene(simulation::Scene, std::uint64_t generation) override { log.generations.push_back(generation); }
@@ -29,6 +30,7 @@ struct FakeSimulation : Simulation {
     void pause() override { log.playing = false; }
     void step() override {}
     void reset() override { ++log.resets; }
+    void hold(std::vector<simulation::Grip> grips) override { log.grips = std::move(grips); }
     bool isPlaying() const override { return log.playing; }
     bool isBusy() const override { return log.busy; }
     std::optional<simulation::Frame> takeFrame() override { return std::exchange(log.frame, std::nullopt); }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view3d/View3D.h"
 
-#include "core/picture/Picking.h"
 #include "ui/view3d/GraphicsGate.h"
 
 #include <QKeyEvent>
@@ -80,6 +79,11 @@ picture::Viewport View3D::viewport() const {
 
 void View3D::changed() {
     scene_.overlay = gizmo_ ? gizmo_->strokes(gizmoView()) : std::vector<picture::Stroke>{};
+    const auto mark = [this](const HeldPlace& place, bool inHand) {
+        std::ranges::move(marksOf(place, inHand, scene_, camera_, viewport()), std::back_inserter(scene_.overlay));
+    };
+    for (const HeldPlace& pin : pins_) mark(pin, false);
+    if (isPulling()) mark(pull_->place(), true);
     host_->changed();
 }
 
@@ -123,6 +127,17 @@ void View3D::setGizmo(const std::optional<Transform>& placement) {
     gizmo_.reset();
     const std::optional<Vec3> pivot = middleOfSelection();
     if (placement && pivot) gizmo_.emplace(*placement, *pivot);
+    changed();
+}
+
+void View3D::setPulling(bool possible) {
+    mayPull_ = possible;
+    if (!possible && !pull_) unsetCursor();
+}
+
+void View3D::setPins(std::vector<HeldPlace> pins) {
+    if (pins_ == pins) return;
+    pins_ = std::move(pins);
     changed();
 }
 
@@ -184,10 +199,11 @@ void View3D::resizeEvent(QResizeEvent* event) {
 
 void View3D::mousePressEvent(QMouseEvent* event) {
     pressedAt_ = lastAt_ = positionOf(*event);
-    if (gizmo_ && gizmo_->isDragging()) return; // another button during a drag
+    if ((gizmo_ && gizmo_->isDragging()) || pull_) return; // another button during a drag
     motion_ = motionFor(habits_, pressOf(*event));
     if (motion_ != CameraMotion::none || event->button() != Qt::LeftButton) return;
     mayClick_ = !(gizmo_ && gizmo_->press(gizmoView(), pressedAt_));
+    if (mayClick_ && mayPull_) takeHold(pressedAt_);
     changed();
 }
 
@@ -200,8 +216,15 @@ void View3D::mouseMoveEvent(QMouseEvent* event) {
         gizmo_->drag(gizmoView(), at, event->modifiers().testFlag(Qt::ControlModifier));
         changed();
         Q_EMIT placementDragged(scene_.selectedPiece, gizmo_->placement(), false);
+    } else if (isPulling()) {
+        pull_->drag(camera_, viewport(), at);
+        setCursor(Qt::ClosedHandCursor);
+        changed();
+        Q_EMIT clothPulled(pull_->place(), pull_->pin());
     } else if (gizmo_ && gizmo_->hover(gizmoView(), at)) {
         changed();
+    } else if (mayPull_ && event->buttons() == Qt::NoButton) {
+        showWhatCanBeGrabbed(at);
     }
 }
 
@@ -210,18 +233,39 @@ void View3D::mouseReleaseEvent(QMouseEvent* event) {
         if (event->button() == Qt::LeftButton) finishDrag(true);
         return;
     }
-    motion_ = CameraMotion::none;
-    if (!std::exchange(mayClick_, false) || event->button() != Qt::LeftButton) return;
-    std::string piece;
-    if (scene_.frame && scene_.options.cloth) {
-        const picture::Ray ray = pickRay(camera_, viewport(), positionOf(*event));
-        const auto cloth = pickCloth(ray, **scene_.frame);
-        const auto body = scene_.body && scene_.options.body
-                              ? nearestHit(ray, (*scene_.body)->mesh.vertices, (*scene_.body)->mesh.triangles)
-                              : std::nullopt;
-        if (cloth && (!body || cloth->distance < body->distance)) piece = cloth->piece;
+    if (isPulling()) {
+        if (event->button() == Qt::LeftButton) endPull(event->modifiers().testFlag(Qt::ShiftModifier));
+        return;
     }
-    Q_EMIT pieceClicked(piece);
+    motion_ = CameraMotion::none;
+    const std::optional<ClothPull> grabbed = std::exchange(pull_, std::nullopt);
+    if (!std::exchange(mayClick_, false) || event->button() != Qt::LeftButton) return;
+    if (grabbed && grabbed->pin()) {
+        Q_EMIT pinClicked(*grabbed->pin());
+        return;
+    }
+    const auto place = placeUnder(scene_, pickRay(camera_, viewport(), positionOf(*event)));
+    Q_EMIT pieceClicked(place ? place->piece : std::string());
+}
+
+void View3D::takeHold(Vec2 pixel) {
+    if (const auto pin = pinUnder(pins_, camera_, viewport(), pixel)) pull_.emplace(pins_[*pin], pin);
+    else if (auto place = placeUnder(scene_, pickRay(camera_, viewport(), pixel)))
+        pull_.emplace(std::move(*place), std::nullopt);
+}
+
+void View3D::endPull(bool keep) {
+    pull_.reset();
+    unsetCursor();
+    changed();
+    Q_EMIT clothLetGo(keep);
+}
+
+void View3D::showWhatCanBeGrabbed(Vec2 pixel) {
+    const bool grabbable =
+        pinUnder(pins_, camera_, viewport(), pixel) || placeUnder(scene_, pickRay(camera_, viewport(), pixel));
+    if (grabbable) setCursor(Qt::OpenHandCursor);
+    else unsetCursor();
 }
 
 void View3D::wheelEvent(QWheelEvent* event) {
@@ -231,6 +275,7 @@ void View3D::wheelEvent(QWheelEvent* event) {
 
 void View3D::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape && gizmo_ && gizmo_->isDragging()) finishDrag(false);
+    else if (event->key() == Qt::Key_Escape && isPulling()) endPull(false);
     else QWidget::keyPressEvent(event);
 }
 

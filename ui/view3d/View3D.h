@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/picture/RenderScene.h"
+#include "ui/view3d/ClothPull.h"
 #include "ui/view3d/Navigation.h"
 #include "ui/view3d/PlacementGizmo.h"
 #include "ui/view3d/SceneHost.h"
@@ -38,6 +39,10 @@ public:
     /// Shows arrows and rings that move the selected piece; absent hides them. They stand in the middle of the piece
     /// as the frame has it; while the frame has not got it yet there are none. A drag that is under way goes on.
     void setGizmo(const std::optional<Transform>& placement);
+    /// Whether the pointer can grab cloth and pins. A pull that is under way goes on.
+    void setPulling(bool possible);
+    /// Marks of places that are held.
+    void setPins(std::vector<HeldPlace> pins);
     void setCamera(const picture::Camera& camera);
     void setCameraHabits(CameraHabits habits) { habits_ = habits; }
 
@@ -66,6 +71,11 @@ Q_SIGNALS:
     /// While the gizmo is dragged, and once more, finished, at its end; after a cancelled drag (Escape) with
     /// the placement from before it.
     void placementDragged(const std::string& pieceId, const toile::geometry::Transform& placement, bool finished);
+    /// While cloth is dragged, or the pin of this index.
+    void clothPulled(const HeldPlace& place, std::optional<std::size_t> pin);
+    /// The pull is over; with Shift held its last place is to stay a pin.
+    void clothLetGo(bool keep);
+    void pinClicked(std::size_t pin);
 
 protected:
     void mousePressEvent(QMouseEvent* event) override;
@@ -85,10 +95,17 @@ private:
     void fitFirst();
     void changed();
     void finishDrag(bool keep);
+    [[nodiscard]] bool isPulling() const { return pull_ && !mayClick_; }
+    void takeHold(Vec2 pixel);
+    void endPull(bool keep);
+    void showWhatCanBeGrabbed(Vec2 pixel);
 
     picture::RenderScene scene_;
     picture::Camera camera_;
     std::optional<PlacementGizmo> gizmo_;
+    std::optional<ClothPull> pull_; ///< from the press on
+    std::vector<HeldPlace> pins_;
+    bool mayPull_ = false;
     std::unique_ptr<SceneHost> host_;
     CameraHabits habits_ = CameraHabits::clo;
     CameraMotion motion_ = CameraMotion::none;

@@ -4,6 +4,7 @@
 #include "core/material/FabricPresets.h"
 #include "ui/panels/ObjectList.h"
 #include "ui/panels/PropertyEditor.h"
+#include "ui/window/HandLink.h"
 #include "ui/workbench/AddFabric.h"
 
 #include <QActionGroup>
@@ -77,6 +78,7 @@ void MainWindow::makeViews() {
     status_ = new StatusLine;
     setStatusBar(status_);
     link_ = new SceneLink(workbench_, *view3D_, this);
+    new HandLink(workbench_, *view3D_, this);
 }
 
 void MainWindow::makeActions() {

@@ -16,6 +16,7 @@ public:
     void pause() override { runner_.pause(); }
     void step() override { runner_.step(); }
     void reset() override { runner_.reset(); }
+    void hold(std::vector<simulation::Grip> grips) override { runner_.hold(std::move(grips)); }
     [[nodiscard]] bool isPlaying() const override { return runner_.isPlaying(); }
     [[nodiscard]] bool isBusy() const override { return runner_.isBusy(); }
     [[nodiscard]] std::optional<simulation::Frame> takeFrame() override { return runner_.takeFrame(); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/simulation/Frame.h"
+#include "core/simulation/Grips.h"
 #include "core/simulation/Scene.h"
 
 #include <cstdint>
@@ -18,6 +19,7 @@ public:
     virtual void pause() = 0;
     virtual void step() = 0;
     virtual void reset() = 0;
+    virtual void hold(std::vector<simulation::Grip> grips) = 0;
     [[nodiscard]] virtual bool isPlaying() const = 0;
     [[nodiscard]] virtual bool isBusy() const = 0; ///< frames will come
     [[nodiscard]] virtual std::optional<simulation::Frame> takeFrame() = 0;

@@ -201,6 +201,11 @@ void Workbench::reset() {
     follow();
 }
 
+void Workbench::hold(std::vector<simulation::Grip> grips) {
+    if (parts_.simulation) parts_.simulation->hold(std::move(grips));
+    follow();
+}
+
 void Workbench::follow() {
     if (!parts_.simulation) return;
     frames_.start();

@@ -73,6 +73,8 @@ public:
     void pause();
     void step();
     void reset();
+    /// What hands hold from now on; what plays follows them.
+    void hold(std::vector<simulation::Grip> grips);
     /// Asks for a new frame; called by a timer 60 times a second while the simulation has something to do.
     void pollFrame();
     [[nodiscard]] bool isFollowing() const { return frames_.isActive(); }

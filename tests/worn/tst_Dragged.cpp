@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WornScenes.h"
+
+using namespace toile;
+using namespace toile::simulation;
+
+namespace {
+
+void run(Simulation& simulation, double seconds) {
+    for (double t = 0; t < seconds; t += simulation.scene().settings.frameStep) QVERIFY(simulation.advance());
+}
+
+} // namespace
+
+/// A garment that hands drag about while it is worn.
+class tst_Dragged : public QObject {
+    Q_OBJECT
+private slots:
+    void aBlouseDraggedByTheHemRestsInTheHandAndGoesBackAfterwards();
+};
+
+void tst_Dragged::aBlouseDraggedByTheHemRestsInTheHandAndGoesBackAfterwards() {
+    auto simulation = Simulation::create(onBlouseWearer(blouseAt(0.02)));
+    QVERIFY(simulation);
+    run(*simulation, 5);
+    const meshing::PieceMesh& front = simulation->garment().mesh->pieces[0];
+    const auto lowest =
+        static_cast<std::size_t>(std::ranges::min_element(front.material, {}, &Vec2::y) - front.material.begin());
+    const auto place = [&] { return simulation->nodePositions()[lowest]; };
+    const Vec3 before = place();
+
+    simulation->hold({{.piece = simulation->topology()->pieces[0].id,
+                       .material = front.material[lowest],
+                       .target = before + Vec3{0.25, -0.1, 0.1}}});
+    run(*simulation, 4);
+    QVERIFY2(distance(place(), before) > 0.1, qPrintable(QString::number(distance(place(), before))));
+    QVERIFY2(simulation->largestSpeed() < 0.005, qPrintable(QString::number(simulation->largestSpeed())));
+
+    simulation->hold({});
+    const auto report = sew(*simulation, {});
+    QVERIFY(report && report->worn);
+    QVERIFY(report->reachedItsGoal({}));
+    for (const std::string& why : report->worn->why) // friction may keep it where the hand has left it
+        QVERIFY2(why.starts_with("Left and right differ"), why.c_str());
+}
+
+QTEST_GUILESS_MAIN(tst_Dragged)
+#include "tst_Dragged.moc"
