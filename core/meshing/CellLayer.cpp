@@ -35,12 +35,13 @@ void CellCollector::run(const BoundaryNodes& boundary, const Lattice& lattice, c
     fill_ = &fill;
     layer_ = &layer;
     borderCount_ = static_cast<int>(boundary.points.size());
+    layer.plain.clear();
     layer.mixed.clear();
     layer.hangingNodes.clear();
     layer.stripNodes.clear();
     layer.isFree.clear();
     layer.walls.clear();
-    layer.stripIndex.resize(at(borderCount_) + fill.latticeNode.size());
+    layer.stripIndex.resize(at(borderCount_) + fill.node.size());
     listBorder();
     for (int row = 0; row < lattice.rows(); ++row) collectRow(row);
     if (!lattice.isUniform()) collectMixed();
@@ -71,12 +72,13 @@ void CellCollector::collectRow(int row) {
 void CellCollector::addWhole(int column, int row) {
     const std::ptrdiff_t width = lattice_->columns() + 2;
     const char* here = fill_->filled.data() + lattice_->wholeCell(column, row);
-    const int* low = fill_->node.data() + lattice_->corner(column, row);
-    const int* high = low + lattice_->columns() + 1;
-    if (!here[-width]) addSide(low[0], low[1]);
-    if (!here[1]) addSide(low[1], high[1]);
-    if (!here[width]) addSide(high[1], high[0]);
-    if (!here[-1]) addSide(high[0], low[0]);
+    const int low = lattice_->corner(column, row), high = low + lattice_->columns() + 1;
+    const std::array<int, 4> corners{fill_->nodeAt(low), fill_->nodeAt(low + 1), fill_->nodeAt(high + 1),
+                                     fill_->nodeAt(high)};
+    if (!here[-width]) addSide(corners[0], corners[1]);
+    if (!here[1]) addSide(corners[1], corners[2]);
+    if (!here[width]) addSide(corners[2], corners[3]);
+    if (!here[-1]) addSide(corners[3], corners[0]);
 }
 
 /// The side of one cell only is a wall, unless it is the piece's border.
@@ -89,28 +91,67 @@ bool CellCollector::isFilled(int column, int row, int a, int b, int u) const {
     return fill_->filled[at(lattice_->cellAt(column, row, a, b, u))];
 }
 
-int CellCollector::nodeAt(int column, int row, int a, int b) const {
-    return fill_->node[at(lattice_->nodeAt(column, row, a, b))];
-}
-
+/// Cells in or beside divided ones. What lies in the midst of cells of its size is told by its main cell alone.
 void CellCollector::collectMixed() {
     open_.clear();
-    held_.assign(layer_->stripIndex.size(), 0);
+    held_.assign(layer_->stripIndex.size() + GridFill::margin, 0);
+    listFull();
     for (const int main : lattice_->mixedCells()) {
-        const int column = main % lattice_->columns(), row = main / lattice_->columns(), u = lattice_->divisionOf(main);
-        for (int b = 0; b < u; ++b)
-            for (int a = 0; a < u; ++a)
-                if (isFilled(column, row, a, b, u)) addMixed(column, row, a, b, u);
+        const int column = main % lattice_->columns(), row = main / lattice_->columns();
+        if (isPlain(column, row)) {
+            layer_->plain.push_back(main);
+            holdNodes(column, row, lattice_->divisionOf(main));
+        } else {
+            addMixedCells(main);
+        }
     }
     addMixedWalls();
 }
 
-void CellCollector::addMixed(int column, int row, int a, int b, int u) {
-    MixedCell cell{{nodeAt(column, row, a, b), nodeAt(column, row, a + 1, b), nodeAt(column, row, a + 1, b + 1),
-                    nodeAt(column, row, a, b + 1)},
-                   lattice_->regionOf(lattice_->cell(column, row)),
-                   lattice_->cellAt(column, row, a, b, u),
-                   {}};
+void CellCollector::listFull() {
+    full_.assign(at(lattice_->wholeCell(lattice_->columns(), lattice_->rows()) + 1), 0);
+    for (const int main : lattice_->dividedCells()) {
+        const int column = main % lattice_->columns(), row = main / lattice_->columns(), u = lattice_->divisionOf(main);
+        const auto first = fill_->filled.begin() + lattice_->cellAt(column, row, 0, 0, u);
+        if (std::find(first, first + u * u, char{0}) == first + u * u) full_[at(lattice_->wholeCell(column, row))] = u;
+    }
+}
+
+/// The main cell and all eight round it are filled and divided alike: it has no node of the strip.
+bool CellCollector::isPlain(int column, int row) const {
+    const std::ptrdiff_t width = lattice_->columns() + 2;
+    const int* here = full_.data() + lattice_->wholeCell(column, row);
+    const auto isLike = [u = *here](const int* three) { return three[-1] == u && three[0] == u && three[1] == u; };
+    return *here > 0 && isLike(here - width) && isLike(here) && isLike(here + width);
+}
+
+void CellCollector::holdNodes(int column, int row, int u) {
+    for (int b = 0; b <= u; ++b) {
+        lattice_->nodesOfRow(column, row, b, rowNodes_);
+        for (const int node : rowNodes_) held_[at(borderCount_ + node)] = 1;
+    }
+}
+
+void CellCollector::addMixedCells(int main) {
+    const int column = main % lattice_->columns(), row = main / lattice_->columns(), u = lattice_->divisionOf(main);
+    const auto listRow = [&](int b) {
+        lattice_->nodesOfRow(column, row, b, nextRowNodes_);
+        for (int& node : nextRowNodes_) node = fill_->nodeAt(node);
+    };
+    listRow(0);
+    for (int b = 0; b < u; ++b) {
+        std::swap(rowNodes_, nextRowNodes_);
+        listRow(b + 1);
+        for (int a = 0; a < u; ++a)
+            if (isFilled(column, row, a, b, u))
+                addMixed(main, a, b,
+                         {rowNodes_[at(a)], rowNodes_[at(a) + 1], nextRowNodes_[at(a) + 1], nextRowNodes_[at(a)]});
+    }
+}
+
+void CellCollector::addMixed(int main, int a, int b, const std::array<int, 4>& corners) {
+    const int column = main % lattice_->columns(), row = main / lattice_->columns(), u = lattice_->divisionOf(main);
+    MixedCell cell{corners, main, lattice_->cellAt(column, row, a, b, u), {}};
     addHanging(column, row, a, b, u, cell);
     for (const int corner : cell.corners) held_[at(corner)] = 1;
     const std::array<bool, 4> shared{isTwin(column, row, a, b - 1, u), isTwin(column, row, a + 1, b, u),
@@ -150,8 +191,8 @@ void CellCollector::appendBetween(bool horizontal, int column, int row, int part
     const int u = horizontal ? lattice_->horizontalDivision(column, row) : lattice_->verticalDivision(column, row);
     if (u == parts) return;
     for (int k = part * (u / parts) + 1; k < (part + 1) * (u / parts); ++k) {
-        const int node = fill_->node[at(horizontal ? lattice_->horizontalNode(column, row, k)
-                                                   : lattice_->verticalNode(column, row, k))];
+        const int node = fill_->nodeAt(horizontal ? lattice_->horizontalNode(column, row, k)
+                                                  : lattice_->verticalNode(column, row, k));
         if (node >= 0) layer_->hangingNodes.push_back(node);
     }
 }
@@ -183,25 +224,25 @@ void CellCollector::addBorderWalls() {
 
 /// Nodes that lie neither on cells nor on walls.
 void CellCollector::addFreeNodes() {
-    const int columns = lattice_->columns(), corners = lattice_->cornerCount();
+    const int columns = lattice_->columns(), corners = lattice_->cornerCount(), nodes = lattice_->nodeCount();
     const std::ptrdiff_t width = columns + 2;
-    const auto addIfFree = [&](int latticeNode) {
-        const int node = fill_->node[at(latticeNode)];
-        if (lattice_->isUniform() || !held_[at(node)]) layer_->addToStrip(node, true);
+    const auto addThose = [&](std::uint64_t free, int latticeNode, int end) { // of eight, but none from the end on
+        for (; free != 0 && latticeNode < end; free >>= 8, ++latticeNode) {
+            const int node = borderCount_ + latticeNode;
+            if ((free & 1) != 0 && (lattice_->isUniform() || !held_[at(node)])) layer_->addToStrip(node, true);
+        }
     };
     for (int row = 0; row <= lattice_->rows(); ++row)
         for (int column = 0; column <= columns; column += 8) {
             const int node = lattice_->corner(column, row);
-            const std::uint64_t inner = eight(fill_->inner.data() + node);
-            if (inner == 0) continue;
             const char* above = fill_->filled.data() + lattice_->wholeCell(column, row);
-            std::uint64_t free =
-                inner & ~(eight(above) | eight(above - 1) | eight(above - width) | eight(above - width - 1));
-            for (int c = column; free != 0 && c <= columns; free >>= 8, ++c)
-                if ((free & 1) != 0) addIfFree(node + c - column);
+            std::uint64_t free = eight(fill_->inner.data() + node) & ~eight(above);
+            if (free == 0) continue;
+            free &= ~(eight(above - 1) | eight(above - width) | eight(above - width - 1));
+            addThose(free, node, lattice_->corner(columns + 1, row));
         }
-    for (int node = corners; node < lattice_->nodeCount(); ++node)
-        if (fill_->inner[at(node)]) addIfFree(node);
+    for (int node = corners; node < nodes; node += 8)
+        addThose(eight(fill_->inner.data() + node) & ~eight(held_.data() + borderCount_ + node), node, nodes);
 }
 
 } // namespace toile::meshing

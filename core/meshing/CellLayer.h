@@ -11,15 +11,18 @@ namespace toile::meshing {
 /// A rectangle in or beside a divided main cell, where nodes may lie on its sides.
 struct MixedCell {
     std::array<int, 4> corners{}; ///< counter-clockwise from (−x, −y) of the frame
-    int region = -1;
+    int main = 0;                 ///< the main cell that it is, or is a part of
     int index = 0;                ///< in GridFill::filled
     std::array<int, 5> hanging{}; ///< where the nodes on each side begin, and where the last end
+
+    [[nodiscard]] bool hasHanging() const { return hanging[0] < hanging[4]; }
 };
 
 /// What the filled cells leave: the border of the strip between them and the piece's border. Rectangles elsewhere than
 /// beside divided main cells are not listed: GridFill says where they are.
 struct CellLayer {
-    std::vector<MixedCell> mixed;
+    std::vector<int> plain;        ///< divided main cells in the midst of filled ones alike, rising
+    std::vector<MixedCell> mixed;  ///< the other rectangles in or beside divided main cells, by main cells
     std::vector<int> hangingNodes; ///< of the mixed cells, side by side
     std::vector<int> stripNodes;   ///< those on walls, and those that neither walls nor cells have
     std::vector<char> isFree;      ///< of each of these: the latter
@@ -57,7 +60,11 @@ private:
     void collectRow(int row);
     void addWhole(int column, int row);
     void collectMixed();
-    void addMixed(int column, int row, int a, int b, int u);
+    void listFull();
+    [[nodiscard]] bool isPlain(int column, int row) const;
+    void holdNodes(int column, int row, int u);
+    void addMixedCells(int main);
+    void addMixed(int main, int a, int b, const std::array<int, 4>& corners);
     void addHanging(int column, int row, int a, int b, int u, MixedCell& cell);
     void appendBetween(bool horizontal, int column, int row, int part, int parts);
     void addMixedWalls();
@@ -66,7 +73,6 @@ private:
     void addSide(int from, int to);
     [[nodiscard]] bool isFilled(int column, int row, int a, int b, int u) const;
     [[nodiscard]] bool isTwin(int column, int row, int a, int b, int u) const;
-    [[nodiscard]] int nodeAt(int column, int row, int a, int b) const;
 
     const BoundaryNodes* boundary_ = nullptr;
     const Lattice* lattice_ = nullptr;
@@ -76,7 +82,9 @@ private:
     std::vector<int> after_;     ///< of each border node in its ring
     std::vector<char> covered_;  ///< of each border node: the segment from it on is the side of a cell
     std::vector<HalfEdge> open_; ///< sides of mixed cells without a twin of the same size
-    std::vector<char> held_;     ///< of each node: on a mixed cell
+    std::vector<char> held_;     ///< of each node: on a cell in or beside a divided one
+    std::vector<int> full_;      ///< of each main cell (Lattice::wholeCell): its u if it is divided and filled, else 0
+    std::vector<int> rowNodes_, nextRowNodes_; ///< of a main cell
 };
 
 } // namespace toile::meshing

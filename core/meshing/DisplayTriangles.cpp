@@ -23,14 +23,9 @@ double smallestAngle(Vec2 a, Vec2 b, Vec2 c) {
 
 } // namespace
 
-void CellTriangulator::append(const CellLayer& layer, const NodePlaces& places, const MixedCell& cell,
-                              std::vector<std::array<int, 3>>& triangles) {
+std::span<const std::array<int, 3>> CellTriangulator::of(const CellLayer& layer, const NodePlaces& places,
+                                                         const MixedCell& cell) {
     const auto& c = cell.corners;
-    if (cell.hanging[0] == cell.hanging[4]) {
-        triangles.push_back({c[0], c[1], c[2]});
-        triangles.push_back({c[0], c[2], c[3]});
-        return;
-    }
     polygon_.clear();
     for (std::size_t side = 0; side < 4; ++side) {
         polygon_.push_back(c[side]);
@@ -43,7 +38,9 @@ void CellTriangulator::append(const CellLayer& layer, const NodePlaces& places, 
     apex_.assign(at(count * count), -1);
     for (int span = 2; span < count; ++span) // by dynamic programming: stretches from shorter ones
         for (int i = 0; i + span < count; ++i) solve(i, i + span);
-    appendStretch(0, count - 1, triangles);
+    triangles_.clear();
+    appendStretch(0, count - 1);
+    return triangles_;
 }
 
 std::size_t CellTriangulator::slot(int i, int j) const {
@@ -62,12 +59,12 @@ void CellTriangulator::solve(int i, int j) {
     best_[slot(i, j)] = best;
 }
 
-void CellTriangulator::appendStretch(int i, int j, std::vector<std::array<int, 3>>& triangles) const {
+void CellTriangulator::appendStretch(int i, int j) {
     if (j - i < 2) return;
     const int k = apex_[slot(i, j)];
-    appendStretch(i, k, triangles);
-    triangles.push_back({polygon_[at(i)], polygon_[at(k)], polygon_[at(j)]});
-    appendStretch(k, j, triangles);
+    appendStretch(i, k);
+    triangles_.push_back({polygon_[at(i)], polygon_[at(k)], polygon_[at(j)]});
+    appendStretch(k, j);
 }
 
 } // namespace toile::meshing

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/meshing/CellWriter.h"
 #include "core/meshing/DisplayTriangles.h"
 #include "core/meshing/GarmentMesh.h"
 #include "core/meshing/MortonWalk.h"
@@ -26,10 +27,17 @@ private:
 
     void listHanging(const NodePlaces& places);
     void listOthers();
+    [[nodiscard]] std::size_t countNodes() const;
+    void measureLines();
     void numberNodes(const NodePlaces& places);
+    int numberCorner(int number, int column, int row);
+    int numberBlock(int number, int column, int row);
+    void numberWholeBlock(int number, int column, int row);
     void place(int number, Vec2 inFrame);
-    void addRectangles();
-    void addDisplay(const NodePlaces& places);
+    void addRectangles(const NodePlaces& places);
+    [[nodiscard]] CellWriter addedWhole(CellWriter to) const;
+    void addDivided(const NodePlaces& places, CellWriter& to);
+    void addPlain(int main, CellWriter& to);
     void addTriangles();
     void addSlaves();
     void collectMasters(int node, double weight, int depth);
@@ -47,12 +55,15 @@ private:
     PieceMesh* mesh_ = nullptr;
     int borderCount_ = 0;
     bool mirrored_ = false;
-    std::size_t wholeCells_ = 0;
+    std::size_t displayed_ = 0;    ///< triangles that rectangles are cut in
     std::vector<Hanging> hanging_; ///< by node, rising
     MortonSquare square_;
     std::vector<KeyedNode> others_, slaves_, othersBuffer_, slavesBuffer_;
     std::vector<int> borderNumbers_;
     std::vector<double> u_, v_; ///< material coordinates of the main lines
+    std::vector<Vec2> alongWeft_,
+        alongWarp_;                  ///< their parts of the piece's coordinates: a corner's are the sum of both
+    std::vector<int> row_, nextRow_; ///< nodes of a main cell
     std::vector<std::pair<int, double>> masters_;
     CellTriangulator cellTriangles_;
 };

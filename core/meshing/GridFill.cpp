@@ -41,7 +41,7 @@ void GridFiller::run(const PieceFrame& frame, const BoundaryNodes& boundary, Bor
     segments_ = &segments;
     fill_ = &fill;
     cleared_ = cleared;
-    borderCount_ = static_cast<int>(boundary.points.size());
+    fill.borderCount = static_cast<int>(boundary.points.size());
     fill.node.assign(at(lattice.nodeCount()), -1);
     fill.inner.assign(at(lattice.nodeCount()) + GridFill::margin, 0);
     markCorners();
@@ -51,8 +51,9 @@ void GridFiller::run(const PieceFrame& frame, const BoundaryNodes& boundary, Bor
     }
     alignBoundary();
     clearNearBorder();
-    numberNodes();
+    for (const auto& [node, latticeNode] : fill.aligned) fill.inner[at(latticeNode)] = 1; // used, for the cells
     fillCells();
+    for (const auto& [node, latticeNode] : fill.aligned) fill.inner[at(latticeNode)] = 0;
 }
 
 void GridFiller::markCorners() {
@@ -70,24 +71,26 @@ void GridFiller::markCorners() {
 void GridFiller::placeDivided() {
     const int corners = lattice_->cornerCount();
     const std::size_t count = at(lattice_->nodeCount() - corners);
-    fill_->innerPlace.assign(count, {});
-    fill_->innerGrid.assign(count, {});
+    fill_->innerPlace.resize(count);
+    fill_->innerGrid.resize(count);
     coarsest_.assign(count, 0);
     for (const int cell : lattice_->dividedCells()) {
         const int column = cell % lattice_->columns(), row = cell / lattice_->columns();
         const int u = lattice_->divisionOf(cell);
-        for (int b = 0; b <= u; ++b)
+        for (int b = 0; b <= u; ++b) {
+            lattice_->nodesOfRow(column, row, b, rowNodes_);
             for (int a = 0; a <= u; ++a) {
-                const int node = lattice_->nodeAt(column, row, a, b) - corners;
+                const int node = rowNodes_[at(a)] - corners;
                 if (node < 0) continue;
-                if (coarsest_[at(node)] == 0) {
+                int& coarsest = coarsest_[at(node)];
+                if (coarsest == 0) {
                     const Vec2 place{lattice_->xAt(column, a, u), lattice_->yAt(row, b, u)};
                     fill_->innerPlace[at(node)] = place;
                     fill_->innerGrid[at(node)] = frame_->gridOf(place);
-                    coarsest_[at(node)] = u;
                 }
-                coarsest_[at(node)] = std::min(coarsest_[at(node)], u);
+                coarsest = coarsest == 0 ? u : std::min(coarsest, u);
             }
+        }
     }
 }
 
@@ -105,8 +108,9 @@ void GridFiller::markDivided() {
             const auto crossings = segments_->crossings(y, b < finest ? row : row + 1);
             for (auto cell = first; cell != last; ++cell) {
                 const int u = lattice_->divisionOf(*cell);
-                for (int a = 0; a <= u && b * u % finest == 0; ++a) {
-                    const int node = lattice_->nodeAt(*cell % columns, row, a, b * u / finest);
+                if (b * u % finest != 0) continue;
+                lattice_->nodesOfRow(*cell % columns, row, b * u / finest, rowNodes_);
+                for (const int node : rowNodes_) {
                     if (node < corners) continue;
                     const std::int64_t x = fill_->innerGrid[at(node - corners)].x;
                     fill_->inner[at(node)] =
@@ -246,164 +250,6 @@ void GridFiller::clearDivided(const BorderSegment& segment, int column, int row,
             const double radius = cleared_ / coarsest_[at(node - lattice_->cornerCount())];
             if (squaredDistance(a - p, b - p) < radius * radius * (1 - 1e-9)) fill_->inner[at(node)] = 0;
         }
-}
-
-void GridFiller::numberNodes() {
-    const std::size_t count = fill_->node.size();
-    fill_->latticeNode.resize(count);
-    char* inner = fill_->inner.data();
-    int* node = fill_->node.data();
-    int* latticeNode = fill_->latticeNode.data();
-    int next = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!inner[i]) continue;
-        if (node[i] >= 0) {
-            inner[i] = 0; // a border node
-            continue;
-        }
-        node[i] = borderCount_ + next;
-        latticeNode[next++] = static_cast<int>(i);
-    }
-    fill_->latticeNode.resize(at(next));
-}
-
-GridFiller::Corners GridFiller::cornersOf(int column, int row, int a, int b) const {
-    return {lattice_->nodeAt(column, row, a, b), lattice_->nodeAt(column, row, a + 1, b),
-            lattice_->nodeAt(column, row, a + 1, b + 1), lattice_->nodeAt(column, row, a, b + 1)};
-}
-
-/// Cells whose corners are all used are filled, but for those that the border disturbs.
-void GridFiller::fillCells() {
-    std::vector<char>& filled = fill_->filled;
-    filled.assign(at(lattice_->cellCount()) + GridFill::margin, 0);
-    listNeighbours();
-    for (int row = 0; row < lattice_->rows(); ++row) {
-        const int* low = fill_->node.data() + lattice_->corner(0, row);
-        const int* high = low + lattice_->columns() + 1;
-        char* cell = filled.data() + lattice_->wholeCell(0, row);
-        for (int column = 0; column < lattice_->columns(); ++column) // no sign bit is set
-            cell[column] = (low[column] | low[column + 1] | high[column] | high[column + 1]) >= 0;
-    }
-    for (const int main : lattice_->dividedCells()) {
-        const int column = main % lattice_->columns(), row = main / lattice_->columns(), u = lattice_->divisionOf(main);
-        filled[at(lattice_->wholeCell(column, row))] = 0;
-        for (int b = 0; b < u; ++b)
-            for (int a = 0; a < u; ++a) {
-                const Corners corners = cornersOf(column, row, a, b);
-                const int cell = lattice_->cellAt(column, row, a, b, u);
-                filled[at(cell)] =
-                    std::all_of(corners.begin(), corners.end(), [&](int node) { return fill_->node[at(node)] >= 0; });
-                decide(cell, corners);
-            }
-    }
-    decideAtBorder();
-    for (const BorderSegment& segment : segments_->all()) blockAt(segment);
-}
-
-void GridFiller::listNeighbours() {
-    before_.resize(at(borderCount_));
-    after_.resize(at(borderCount_));
-    for (const BorderSegment& segment : segments_->all()) {
-        after_[at(segment.nodeA)] = segment.nodeB;
-        before_[at(segment.nodeB)] = segment.nodeA;
-    }
-}
-
-/// Looks at all whole cells that have a border node for a corner.
-void GridFiller::decideAtBorder() {
-    const IntegerLines& lines = fill_->lines;
-    for (const auto& [node, latticeNode] : fill_->aligned) {
-        const GridPoint p = boundary_->grid[at(node)];
-        const int column1 = lines.x.interval(std::int64_t{p.x} + sameNode + 1);
-        const int row1 = lines.y.interval(std::int64_t{p.y} + sameNode + 1);
-        for (int row = lines.y.interval(std::int64_t{p.y} - sameNode - 1); row <= row1; ++row)
-            for (int column = lines.x.interval(std::int64_t{p.x} - sameNode - 1); column <= column1; ++column)
-                decide(lattice_->wholeCell(column, row), cornersOf(column, row, 0, 0));
-    }
-}
-
-/// A cell with border nodes at all corners may lie outside.
-void GridFiller::decide(int cell, const Corners& corners) {
-    if (!fill_->filled[at(cell)]) return;
-    for (const int corner : corners)
-        if (fill_->node[at(corner)] >= borderCount_) return; // strictly inside, and nothing comes between
-    const auto node = [&](std::size_t i) { return at(fill_->node[at(corners[i])]); };
-    const auto grid = [&](int border) { return boundary_->grid[at(border)]; };
-    fill_->filled[at(cell)] =
-        insideCorner(grid(before_[node(3)]), boundary_->grid[node(3)], grid(after_[node(3)]), boundary_->grid[node(1)]);
-}
-
-/// Cells that hold or touch a border segment in any way but by sharing a side or a corner are not filled.
-void GridFiller::blockAt(const BorderSegment& segment) {
-    const IntegerLines& lines = fill_->lines;
-    const auto [lowX, highX] = std::minmax(segment.a.x, segment.b.x);
-    const auto [lowY, highY] = std::minmax(segment.a.y, segment.b.y);
-    const int column0 = lines.x.interval(std::int64_t{lowX} - sameNode - 1);
-    const int column1 = lines.x.interval(std::int64_t{highX} + sameNode + 1);
-    const int row0 = lines.y.interval(std::int64_t{lowY} - sameNode - 1);
-    const int row1 = lines.y.interval(std::int64_t{highY} + sameNode + 1);
-    for (int row = row0; row <= row1; ++row)
-        for (int column = column0; column <= column1; ++column) {
-            char& whole = fill_->filled[at(lattice_->wholeCell(column, row))];
-            if (whole) {
-                whole = !disturbs(segment, cornersOf(column, row, 0, 0));
-            } else if (lattice_->isMixed(column, row)) {
-                const int u = lattice_->activeDivision(column, row);
-                if (u > 1) blockIn(segment, column, row, u);
-            }
-        }
-}
-
-void GridFiller::blockIn(const BorderSegment& segment, int column, int row, int u) {
-    const IntegerLines& lines = fill_->lines;
-    const auto range = [&](std::int32_t p, std::int32_t q, std::int32_t low, std::int32_t high) {
-        const double size = static_cast<double>(std::int64_t{high} - low) / u;
-        const double first = (static_cast<double>(std::min(p, q)) - low - sameNode) / size;
-        const double last = (static_cast<double>(std::max(p, q)) - low + sameNode) / size;
-        return std::pair(std::clamp(static_cast<int>(std::floor(first)), 0, u - 1),
-                         std::clamp(static_cast<int>(std::floor(last)), 0, u - 1));
-    };
-    const auto [a0, a1] = range(segment.a.x, segment.b.x, lines.x[column], lines.x[column + 1]);
-    const auto [b0, b1] = range(segment.a.y, segment.b.y, lines.y[row], lines.y[row + 1]);
-    for (int b = b0; b <= b1; ++b)
-        for (int a = a0; a <= a1; ++a) {
-            char& filled = fill_->filled[at(lattice_->cellAt(column, row, a, b, u))];
-            if (filled) filled = !disturbs(segment, cornersOf(column, row, a, b));
-        }
-}
-
-GridPoint GridFiller::pointOf(int latticeNode) const {
-    const int node = fill_->node[at(latticeNode)];
-    return node >= 0 && node < borderCount_ ? boundary_->grid[at(node)] : fill_->gridAt(*lattice_, latticeNode);
-}
-
-bool GridFiller::disturbs(const BorderSegment& segment, const Corners& corners) const {
-    std::array<GridPoint, 4> quad;
-    for (std::size_t i = 0; i < 4; ++i) quad[i] = pointOf(corners[i]);
-    const auto cornerAt = [&](GridPoint p) {
-        for (int i = 0; i < 4; ++i)
-            if (quad[at(i)] == p) return i;
-        return -1;
-    };
-    const auto holds = [&](GridPoint p) { // or on a side, which lies beside the nodes on it as its corners do
-        for (std::size_t i = 0; i < 4; ++i) {
-            const GridPoint from = quad[i], to = quad[(i + 1) % 4];
-            const std::int64_t length =
-                std::max(std::abs(std::int64_t{to.x} - from.x), std::abs(std::int64_t{to.y} - from.y));
-            if (orientation(from, to, p) < -sameNode * length) return false;
-        }
-        return true;
-    };
-    const int ca = cornerAt(segment.a), cb = cornerAt(segment.b);
-    if ((ca < 0 && holds(segment.a)) || (cb < 0 && holds(segment.b))) return true;
-    if (ca >= 0 && cb >= 0) return (ca + cb) % 2 == 0; // a diagonal
-    for (int i = 0; i < 4; ++i) {
-        if (i != ca && i != cb && onSegment(segment.a, segment.b, quad[at(i)])) return true;
-        const int j = (i + 1) % 4;
-        const bool shares = i == ca || i == cb || j == ca || j == cb;
-        if (!shares && segmentsMeet(segment.a, segment.b, quad[at(i)], quad[at(j)])) return true;
-    }
-    return false;
 }
 
 } // namespace toile::meshing

@@ -11,19 +11,24 @@ constexpr double clearance = 0.75;
 /// The paper takes every grid point inside; so near to the border its triangles would have no area.
 constexpr double paperClearance = 0.05;
 
-/// Which nodes and cells of a lattice the piece fills. Nodes of the mesh are numbered: first the border's, then the
-/// lattice's that are used and no border node.
+/// Which nodes and cells of a lattice the piece fills. Nodes are numbered: first the border's, then those of the
+/// lattice, used or not.
 struct GridFill {
     IntegerLines lines;
-    std::vector<int> node;        ///< of each lattice node: its number in the mesh, or −1 if it is not used
-    std::vector<char> inner;      ///< of each lattice node: used, and no border node
-    std::vector<int> latticeNode; ///< of each inner node, by number − border nodes
-    std::vector<char> filled;     ///< of each cell (Lattice::cellAt): a rectangle of the mesh
+    int borderCount = 0;
+    std::vector<char> inner;                  ///< of each lattice node: used, and no border node
+    std::vector<int> node;                    ///< of each lattice node: the border node that it is, or −1
+    std::vector<char> filled;                 ///< of each cell (Lattice::cellAt): a rectangle of the mesh
     static constexpr std::size_t margin = 8;  ///< beyond the end of both, so that eight can be read at once
     std::vector<std::pair<int, int>> aligned; ///< border nodes on the lattice, and which of its nodes they are
     std::vector<Vec2> innerPlace;             ///< of the lattice nodes beyond the corners, in the frame [m]
     std::vector<GridPoint> innerGrid;
 
+    /// The number of a lattice node, −1 if it is not used.
+    [[nodiscard]] int nodeAt(int latticeNode) const {
+        const auto place = static_cast<std::size_t>(latticeNode);
+        return inner[place] ? borderCount + latticeNode : node[place];
+    }
     [[nodiscard]] GridPoint gridAt(const Lattice& lattice, int place) const;
     [[nodiscard]] Vec2 placeAt(const Lattice& lattice, int place) const;
 };
@@ -46,8 +51,8 @@ private:
     void clearCorners(const BorderSegment& segment);
     void clearDivided(const BorderSegment& segment, int column, int row, int u);
     void clearNearBorder();
-    void numberNodes();
     void fillCells();
+    void fillDivided(int main);
     void listNeighbours();
     void decideAtBorder();
     void blockAt(const BorderSegment& segment);
@@ -63,11 +68,11 @@ private:
     const Lattice* lattice_ = nullptr;
     BorderSegments* segments_ = nullptr;
     GridFill* fill_ = nullptr;
-    double cleared_ = clearance; ///< of the spacing [–]
-    int borderCount_ = 0;
-    std::vector<int> coarsest_;              ///< smallest u of the main cells that have each node beyond the corners
-    std::vector<double> widthAt_, heightAt_; ///< the wider of the cells beside each main line [units]
-    std::vector<int> before_, after_;        ///< of each border node in its ring
+    double cleared_ = clearance;               ///< of the spacing [–]
+    std::vector<int> coarsest_;                ///< smallest u of the main cells that have each node beyond the corners
+    std::vector<double> widthAt_, heightAt_;   ///< the wider of the cells beside each main line [units]
+    std::vector<int> before_, after_;          ///< of each border node in its ring
+    std::vector<int> rowNodes_, nextRowNodes_; ///< of a main cell
 };
 
 } // namespace toile::meshing

@@ -2,6 +2,7 @@
 #include "core/meshing/Lattice.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace toile::meshing {
 
@@ -110,6 +111,27 @@ int Lattice::nodeOfDivided(int column, int row, int a, int b) const {
         return verticalNode(line, row, sideDivision == u ? b : b * (sideDivision / u));
     }
     return interiorNodes_[size(cell(column, row))] + (b - 1) * (u - 1) + a - 1;
+}
+
+void Lattice::nodesOfRow(int column, int row, int b, std::vector<int>& nodes) const {
+    const int u = divisionOf(column, row);
+    nodes.resize(size(u) + 1);
+    if (b > 0 && b < u) {
+        const auto sideNode = [&](int line) {
+            const int side = corner(line, row), parts = verticalDivisions_[size(side)];
+            return verticalNodes_[size(side)] + (parts == u ? b : b * (parts / u)) - 1;
+        };
+        nodes.front() = sideNode(column);
+        nodes.back() = sideNode(column + 1);
+        std::iota(nodes.begin() + 1, nodes.end() - 1, interiorNodes_[size(cell(column, row))] + (b - 1) * (u - 1));
+        return;
+    }
+    const int side = corner(column, row + (b > 0));
+    nodes.front() = side;
+    nodes.back() = side + 1;
+    if (u == 1) return;
+    const int parts = horizontalDivisions_[size(side)], step = parts == u ? 1 : parts / u;
+    for (int a = 1, node = horizontalNodes_[size(side)] - 1 + step; a < u; ++a, node += step) nodes[size(a)] = node;
 }
 
 } // namespace toile::meshing

@@ -62,6 +62,8 @@ public:
     [[nodiscard]] int nodeAt(int column, int row, int a, int b) const {
         return isUniform() ? corner(column + a, row + b) : nodeOfDivided(column, row, a, b);
     }
+    /// Nodes (0, b) … (u, b) of it.
+    void nodesOfRow(int column, int row, int b, std::vector<int>& nodes) const;
     /// u of the horizontal main side below (vertical: left of) main cell (column, row).
     [[nodiscard]] int horizontalDivision(int column, int row) const {
         return isUniform() ? 1 : horizontalDivisions_[size(corner(column, row))];

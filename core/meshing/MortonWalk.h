@@ -49,16 +49,16 @@ struct MortonSquare {
 };
 
 /// Walks the corners of a lattice of columns × rows and other nodes between them along the curve, without sorting the
-/// corners: block by block.
-///   isEmpty(column, row)              nothing is to be visited in the whole block that starts there
-///   visitCorner(number, column, row)  the next number is in hand; returns that after it, or the same where it took
-///   none visitOther(number, node)          of `others`, which are sorted
-template <class IsEmpty, class VisitCorner, class VisitOther>
+/// corners: block by block. The next number is in hand; what visits returns that after it, or the same if it took none.
+///   visitBlock(number, column, row)   the whole block of corners that starts there, in the order `orderInBlock`
+///   visitCorner(number, column, row)
+///   visitOther(number, node)          of `others`, which are sorted
+template <class VisitBlock, class VisitCorner, class VisitOther>
 class MortonWalk {
 public:
-    MortonWalk(const MortonSquare& square, int columns, int rows, const std::vector<KeyedNode>& others, IsEmpty isEmpty,
-               VisitCorner visitCorner, VisitOther visitOther)
-        : square_(square), columns_(columns), rows_(rows), others_(others), isEmpty_(isEmpty),
+    MortonWalk(const MortonSquare& square, int columns, int rows, const std::vector<KeyedNode>& others,
+               VisitBlock visitBlock, VisitCorner visitCorner, VisitOther visitOther)
+        : square_(square), columns_(columns), rows_(rows), others_(others), visitBlock_(visitBlock),
           visitCorner_(visitCorner), visitOther_(visitOther) {}
 
     /// Returns the number after the last.
@@ -85,11 +85,7 @@ private:
         const std::uint64_t first = square_.key(256 * column, 256 * row);
         const bool alone = next_ == others_.size() || others_[next_].first >= first + (std::uint64_t{64} << 16);
         if (alone && column >= 0 && row >= 0 && column + 8 <= columns_ && row + 8 <= rows_) {
-            if (isEmpty_(column, row)) return;
-            const VisitCorner visit = visitCorner_; // a copy of its own: what it writes cannot change it
-            int number = number_;
-            for (const auto [x, y] : orderInBlock) number = visit(number, column + x, row + y);
-            number_ = number;
+            number_ = visitBlock_(number_, column, row);
             return;
         }
         for (std::size_t k = 0; k < 64; ++k) {
@@ -107,7 +103,7 @@ private:
     MortonSquare square_;
     int columns_, rows_;
     const std::vector<KeyedNode>& others_;
-    IsEmpty isEmpty_;
+    VisitBlock visitBlock_;
     VisitCorner visitCorner_;
     VisitOther visitOther_;
     std::size_t next_ = 0; ///< of `others`

@@ -233,7 +233,9 @@ Result<void> refusedBeyondLimit(const PieceInput& piece, double cells, const std
 } // namespace
 
 Result<void> affordable(const PieceInput& piece, const Lattice& lattice) {
-    double cells = static_cast<double>(std::count(lattice.active.begin(), lattice.active.end(), char{1}));
+    double cells = static_cast<double>(lattice.active.size()); // no more than that, if none is divided
+    if (lattice.division.empty() && cells <= largestCellCount) return {};
+    cells = static_cast<double>(std::count(lattice.active.begin(), lattice.active.end(), char{1}));
     for (std::size_t c = 0; c < lattice.division.size(); ++c)
         if (lattice.active[c] && lattice.division[c] > 1)
             cells += static_cast<double>(lattice.division[c]) * lattice.division[c] - 1;

@@ -28,7 +28,7 @@ public:
         return node < count_ ? boundary_.grid[static_cast<std::size_t>(node)]
                              : fill_.gridAt(lattice_, latticeNode(node));
     }
-    [[nodiscard]] int latticeNode(int node) const { return fill_.latticeNode[static_cast<std::size_t>(node - count_)]; }
+    [[nodiscard]] int latticeNode(int node) const { return node - count_; }
     [[nodiscard]] int borderCount() const { return count_; }
 
 private:

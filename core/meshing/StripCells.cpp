@@ -79,12 +79,9 @@ bool StripImprover::addNodeBeside(int triangle) {
     if (latticeNode < 0 || orientation(b, a, place) <= 0 || orientation(a, c, place) <= 0 ||
         orientation(c, b, place) <= 0)
         return false;
-    const int node = places_->borderCount() + static_cast<int>(fill_->latticeNode.size());
-    fill_->node[at(latticeNode)] = node;
     fill_->inner[at(latticeNode)] = 1;
-    fill_->latticeNode.push_back(latticeNode);
+    const int node = fill_->nodeAt(latticeNode);
     added_.push_back(latticeNode);
-    layer_->stripIndex.push_back(-1);
     moved_.emplace_back(node, place);
     const int vertex = layer_->addToStrip(node, true);
     strip_->points.push_back(place);
@@ -103,7 +100,7 @@ int StripImprover::unusedCornerNear(GridPoint place) const {
         for (int c = std::max(0, column - 1); c <= std::min(lattice_->columns(), column + 2); ++c) {
             const GridPoint corner{lines.x[c], lines.y[r]};
             const double square = squaredDistance(place, corner);
-            if (fill_->node[at(lattice_->corner(c, r))] >= 0 || (nearest >= 0 && square >= least)) continue;
+            if (fill_->nodeAt(lattice_->corner(c, r)) >= 0 || (nearest >= 0 && square >= least)) continue;
             nearest = lattice_->corner(c, r);
             least = square;
         }
@@ -132,7 +129,7 @@ void StripImprover::fillDropped() {
         std::array<int, 4> c{low, low + 1, high + 1, high};
         for (int& corner : c) {
             addVertexOf(corner);
-            corner = layer_->stripIndex[at(fill_->node[at(corner)])];
+            corner = layer_->stripIndex[at(fill_->nodeAt(corner))];
         }
         const int side = static_cast<int>(strip_->sides.start.size());
         strip_->sides.start.insert(strip_->sides.start.end(), {c[0], c[1], c[2], c[0], c[2], c[3]});
@@ -144,7 +141,7 @@ void StripImprover::fillDropped() {
 
 /// A corner of a cell given up is a node of the strip now; and free, if no other cell has it.
 void StripImprover::addVertexOf(int latticeNode) {
-    const int node = fill_->node[at(latticeNode)];
+    const int node = fill_->nodeAt(latticeNode);
     const int vertex = layer_->addToStrip(node, false);
     if (at(vertex) == strip_->points.size()) strip_->points.push_back(places_->grid(node));
     if (isBorder(vertex)) return;

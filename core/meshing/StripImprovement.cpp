@@ -152,11 +152,7 @@ void StripImprover::keepAsBest() {
 
 /// Fills what was given up since, and gives back the nodes taken since; mixed cells are listed again.
 void StripImprover::restoreBest() {
-    for (; added_.size() > best_.added; added_.pop_back()) {
-        fill_->node[at(added_.back())] = -1;
-        fill_->inner[at(added_.back())] = 0;
-        fill_->latticeNode.pop_back();
-    }
+    for (; added_.size() > best_.added; added_.pop_back()) fill_->inner[at(added_.back())] = 0;
     for (std::size_t i = best_.dropped; i < dropped_.size(); ++i) fill_->filled[at(dropped_[i])] = 1;
     if (!best_.collected) collector_.run(*boundary_, *lattice_, *fill_, *layer_);
     layer_->stripNodes = best_.stripNodes;

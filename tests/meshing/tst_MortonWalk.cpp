@@ -40,11 +40,12 @@ void tst_MortonWalk::itVisitsInTheOrderOfTheKeys() {
             visited.push_back(node);
             return number + 1;
         };
-        const int count =
-            MortonWalk(
-                square, columns, rows, others, [](int, int) { return false; },
-                [&](int number, int column, int row) { return visit(number, row * columns + column); }, visit)
-                .run();
+        const auto visitCorner = [&](int number, int column, int row) { return visit(number, row * columns + column); };
+        const auto visitBlock = [&](int number, int column, int row) {
+            for (const auto [x, y] : orderInBlock) number = visitCorner(number, column + x, row + y);
+            return number;
+        };
+        const int count = MortonWalk(square, columns, rows, others, visitBlock, visitCorner, visit).run();
         QCOMPARE(count, static_cast<int>(all.size()));
         QCOMPARE(visited.size(), all.size());
         for (std::size_t i = 0; i < all.size(); ++i) QCOMPARE(visited[i], all[i].second);
