@@ -2,7 +2,7 @@
 #include "core/cloth/Patch.h"
 
 #include "core/base/Contracts.h"
-#include "core/cloth/NodeIndex.h"
+#include "core/cloth/NodeChains.h"
 #include "core/cloth/PatchBending.h"
 
 #include <algorithm>
@@ -58,29 +58,43 @@ CellSprings cellSprings(const MembraneStiffness& c, double a, double b) {
             .warp = 0.5 * (c.c22 - g * b * b / (a * a)) * a / b};
 }
 
-/// Springs between nodes of a patch; those of neighbouring cells become one.
+/// Collects springs between nodes of a patch at the end of a list; those of neighbouring cells become one.
 class SpringCollector {
 public:
-    explicit SpringCollector(std::size_t expected) : byNodes_(expected) { springs_.reserve(expected); }
+    SpringCollector(std::vector<Spring>& springs, std::size_t nodes, std::size_t expected)
+        : springs_(springs), first_(springs.size()), byNode_(nodes, expected) {
+        springs.reserve(first_ + expected);
+    }
 
     void add(int a, int b, double restLength, double stiffness) {
         if (stiffness == 0) return;
-        const int next = static_cast<int>(springs_.size());
-        const int index = byNodes_.findOrAdd({std::min(a, b), std::max(a, b)}, next);
-        if (index == next) springs_.push_back({a, b, restLength, stiffness});
-        else springs_[index].stiffness += stiffness;
-    }
-    void writeTo(std::vector<Spring>& out, std::span<const int> particles) const {
-        for (Spring spring : springs_) {
-            spring.a = particles[spring.a];
-            spring.b = particles[spring.b];
-            if (spring.a != spring.b) out.push_back(spring);
+        const int low = std::min(a, b), high = std::max(a, b);
+        const int known = byNode_.find(low, [&](int entry) {
+            const Spring& spring = springs_[first_ + entry];
+            return std::max(spring.a, spring.b) == high;
+        });
+        if (known >= 0) {
+            springs_[first_ + known].stiffness += stiffness;
+            return;
         }
+        springs_.push_back({a, b, restLength, stiffness});
+        byNode_.add(low);
+    }
+    /// Nodes become particles; what has only one of them is no spring.
+    void finish(std::span<const int> particles) {
+        const auto own = springs_.begin() + static_cast<std::ptrdiff_t>(first_);
+        for (auto spring = own; spring != springs_.end(); ++spring) {
+            spring->a = particles[spring->a];
+            spring->b = particles[spring->b];
+        }
+        springs_.erase(std::remove_if(own, springs_.end(), [](const Spring& spring) { return spring.a == spring.b; }),
+                       springs_.end());
     }
 
 private:
-    std::vector<Spring> springs_;
-    NodeIndex<2> byNodes_;
+    std::vector<Spring>& springs_;
+    std::size_t first_;
+    NodeChains byNode_; ///< the smaller of both
 };
 
 class PatchBuilder {
@@ -146,8 +160,8 @@ private:
 
     Result<void> appendSprings() {
         Constants constants(fabric_, true);
-        const std::size_t cells = patch_.rectangles.size();
-        SpringCollector sides(2 * cells + 16), diagonals(2 * cells);
+        const std::size_t cells = patch_.rectangles.size(), nodes = patch_.material.size();
+        SpringCollector sides(model_.structural, nodes, 2 * cells + 16), diagonals(model_.shear, nodes, 2 * cells);
         for (const PatchRectangle& cell : patch_.rectangles) {
             auto c = constants.of(cell.factors);
             if (!c) return tl::unexpected(c.error());
@@ -167,8 +181,8 @@ private:
             diagonals.add(n[1], n[3], d, springs.diagonal);
         }
         model_.clampedCells += report_.clampedCells;
-        sides.writeTo(model_.structural, patch_.particles);
-        diagonals.writeTo(model_.shear, patch_.particles);
+        sides.finish(patch_.particles);
+        diagonals.finish(patch_.particles);
         return {};
     }
 

@@ -2,7 +2,7 @@
 #include "core/cloth/PatchBending.h"
 
 #include "core/base/Contracts.h"
-#include "core/cloth/NodeIndex.h"
+#include "core/cloth/NodeChains.h"
 #include "core/cloth/PatchEdges.h"
 
 #include <algorithm>
@@ -16,15 +16,15 @@ namespace {
 /// Σ coefficient·x over nodes of a patch, which rise.
 class Combination {
 public:
-    Combination() = default;
+    Combination() {} // terms are set as they come: millions of these are made
     Combination(int node) { add(node, 1); }
 
     void add(int node, double coefficient) {
         if (coefficient == 0) return;
         std::size_t place = 0;
-        while (place < count_ && terms_[place].first < node) ++place;
-        if (place < count_ && terms_[place].first == node) {
-            terms_[place].second += coefficient;
+        while (place < count_ && terms_[place].node < node) ++place;
+        if (place < count_ && terms_[place].node == node) {
+            terms_[place].coefficient += coefficient;
             return;
         }
         expects(count_ < terms_.size(), "a combination has few places");
@@ -35,7 +35,10 @@ public:
         for (const auto& [node, coefficient] : other.terms()) add(node, factor * coefficient);
     }
 
-    using Term = std::pair<int, double>;
+    struct Term {
+        int node;
+        double coefficient;
+    };
     [[nodiscard]] std::span<const Term> terms() const { return {terms_.data(), count_}; }
 
 private:
@@ -43,79 +46,91 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Collects stencils of nodes; equal ones become one. Written out as stencils of particles.
+/// Collects stencils of nodes at the end of a list; equal ones become one.
 class StencilCollector {
 public:
-    explicit StencilCollector(std::size_t expected) : byNodes_(expected) { collected_.reserve(expected); }
+    StencilCollector(std::vector<Stencil>& stencils, std::size_t nodes, std::size_t expected)
+        : stencils_(stencils), first_(stencils.size()), byNode_(nodes, expected) {
+        stencils.reserve(first_ + expected);
+    }
 
     void add(const Combination& combination, double stiffness) {
         if (stiffness <= 0 || combination.terms().empty()) return;
         expects(combination.terms().size() <= 4, "a stencil has at most four places");
-        std::array<int, 4> key{-1, -1, -1, -1};
-        for (std::size_t i = 0; i < combination.terms().size(); ++i) key[i] = combination.terms()[i].first;
-        const int next = static_cast<int>(collected_.size()), first = byNodes_.findOrAdd(key, next);
-        if (first != next) {
-            for (int index = first; index >= 0; index = collected_[index].nextOfNodes)
-                if (sameCoefficients(collected_[index].combination, combination)) {
-                    collected_[index].stiffness += stiffness;
-                    return;
-                }
-            collected_.push_back({combination, stiffness, std::exchange(collected_[first].nextOfNodes, next)});
+        Stencil stencil{.stiffness = stiffness};
+        int used = 0;
+        for (const auto& [node, coefficient] : combination.terms()) {
+            stencil.particles[used] = node; // until finish()
+            stencil.coefficients[used++] = coefficient;
+        }
+        const int known =
+            byNode_.find(stencil.particles[0], [&](int entry) { return isAlike(stencils_[first_ + entry], stencil); });
+        if (known >= 0) {
+            stencils_[first_ + known].stiffness += stiffness;
             return;
         }
-        collected_.push_back({combination, stiffness, -1});
+        stencils_.push_back(stencil);
+        byNode_.add(stencil.particles[0]);
     }
 
-    void writeTo(std::vector<Stencil>& stencils, std::span<const int> particles) const {
-        for (const Collected& collected : collected_) {
-            Stencil stencil{.stiffness = collected.stiffness};
+    /// Nodes become particles; what has only one of them is no stencil.
+    void finish(std::span<const int> particles) {
+        auto kept = stencils_.begin() + static_cast<std::ptrdiff_t>(first_);
+        for (auto collected = kept; collected != stencils_.end(); ++collected) {
+            Stencil stencil{.stiffness = collected->stiffness};
             int used = 0;
-            for (const auto& [node, coefficient] : collected.combination.terms()) {
+            for (int i = 0; i < 4 && collected->particles[i] >= 0; ++i) {
+                const int particle = particles[collected->particles[i]];
                 const auto end = stencil.particles.begin() + used;
-                const auto it = std::find(stencil.particles.begin(), end, particles[node]);
-                if (it == end) stencil.particles[used++] = particles[node];
-                stencil.coefficients[it - stencil.particles.begin()] += coefficient;
+                const auto it = std::find(stencil.particles.begin(), end, particle);
+                if (it == end) stencil.particles[used++] = particle;
+                stencil.coefficients[it - stencil.particles.begin()] += collected->coefficients[i];
             }
-            if (used > 1) stencils.push_back(stencil);
+            if (used > 1) *kept++ = stencil;
         }
+        stencils_.erase(kept, stencils_.end());
     }
 
 private:
-    struct Collected {
-        Combination combination;
-        double stiffness;
-        int nextOfNodes; ///< another stencil of the same nodes; −1 = none
-    };
-
-    static bool sameCoefficients(const Combination& a, const Combination& b) {
-        return std::ranges::equal(a.terms(), b.terms(), [](const auto& p, const auto& q) {
-            return p.first == q.first && std::abs(p.second - q.second) <= 1e-9 * std::abs(p.second);
-        });
+    static bool isAlike(const Stencil& a, const Stencil& b) {
+        for (int i = 0; i < 4; ++i)
+            if (a.particles[i] != b.particles[i]) return false;
+        for (int i = 0; i < 4; ++i)
+            if (std::abs(a.coefficients[i] - b.coefficients[i]) > 1e-9 * std::abs(b.coefficients[i])) return false;
+        return true;
     }
 
-    std::vector<Collected> collected_;
-    NodeIndex<4> byNodes_;
+    std::vector<Stencil>& stencils_;
+    std::size_t first_;
+    NodeChains byNode_; ///< the smallest of them
 };
+
+/// hypot, which most often is asked for one coordinate alone.
+double lengthOf(Vec2 way) {
+    if (way.x == 0) return std::abs(way.y);
+    return way.y == 0 ? std::abs(way.x) : geometry::length(way);
+}
 
 class BendingBuilder {
 public:
-    BendingBuilder(const Patch& patch, const material::Fabric& fabric)
-        : patch_(patch), fabric_(fabric), stencils_(2 * patch.rectangles.size() + 6 * patch.triangles.size()) {}
+    BendingBuilder(ClothModel& model, const Patch& patch, const material::Fabric& fabric)
+        : patch_(patch), fabric_(fabric),
+          stencils_(model.bending, patch.material.size(), 2 * patch.rectangles.size() + 6 * patch.triangles.size()) {}
 
-    void appendTo(ClothModel& model) {
+    void append() {
         for (const PatchEdge& edge : edgesOf(patch_)) {
             if (!edge.isInner()) continue;
             if (edge.first.rectangle && edge.second.rectangle) addRow(edge);
             else addHinge(edge);
         }
-        stencils_.writeTo(model.bending, patch_.particles);
+        stencils_.finish(patch_.particles);
     }
 
 private:
     /// Curvature across an edge between two rectangles, at both of its ends, each for half the edge's width.
     void addRow(const PatchEdge& edge) {
         const Vec2 along = patch_.material[edge.b] - patch_.material[edge.a];
-        const double width = 0.5 * geometry::length(along);
+        const double width = 0.5 * lengthOf(along);
         const double l1 = extentAcross(edge.first), l2 = extentAcross(edge.second), both = l1 + l2;
         const double stiffness = stiffnessAcross(edge) * width * both / 2;
         const auto addAt = [&](int node, double tFirst, double tSecond) {
@@ -159,9 +174,12 @@ private:
     /// B of the fabric for a fold along the edge, with the mean factor of both cells [N·m].
     [[nodiscard]] double stiffnessAcross(const PatchEdge& edge) const {
         const Vec2 along = patch_.material[edge.b] - patch_.material[edge.a];
-        const double fromWarp = std::atan2(std::abs(along.y), std::abs(along.x)); // of the edge's normal
         const double factor = 0.5 * (factorOf(edge.first) + factorOf(edge.second));
-        return factor * std::max(0.0, material::bendingStiffness(fabric_, fromWarp));
+        return factor * (along.y == 0 ? acrossWarp_ : along.x == 0 ? acrossWeft_ : stiffnessAcross(along));
+    }
+    [[nodiscard]] double stiffnessAcross(Vec2 along) const {
+        const double fromWarp = std::atan2(std::abs(along.y), std::abs(along.x)); // of the fold's normal
+        return std::max(0.0, material::bendingStiffness(fabric_, fromWarp));
     }
     [[nodiscard]] double factorOf(const EdgeSide& side) const {
         return side.rectangle ? patch_.rectangles[side.cell].factors.bending
@@ -169,7 +187,7 @@ private:
     }
     [[nodiscard]] double extentAcross(const EdgeSide& side) const {
         const auto& nodes = patch_.rectangles[side.cell].nodes;
-        return distance(patch_.material[nodes[(side.side + 1) % 4]], patch_.material[nodes[(side.side + 2) % 4]]);
+        return lengthOf(patch_.material[nodes[(side.side + 2) % 4]] - patch_.material[nodes[(side.side + 1) % 4]]);
     }
     /// The point of the rectangle's other side that lies across from a point of this side.
     [[nodiscard]] Combination beyond(const EdgeSide& side, double t) const {
@@ -188,27 +206,29 @@ private:
     const Patch& patch_;
     const material::Fabric& fabric_;
     StencilCollector stencils_;
+    double acrossWarp_ = stiffnessAcross(Vec2{1, 0}),
+           acrossWeft_ = stiffnessAcross(Vec2{0, 1}); ///< of edges along the grain
 };
 
 /// ½·k·|x₀₀ − x₁₀ − x₀₁ + x₁₁|², k = (4·B45 − B1 − B2)/(a·b).
 bool appendTwist(ClothModel& model, const Patch& patch, const material::Fabric& fabric) {
     const double constant = 4 * fabric.biasBending - fabric.warpBending - fabric.weftBending;
     if (constant <= 0) return constant < 0;
-    StencilCollector stencils(patch.rectangles.size());
+    StencilCollector stencils(model.twist, patch.material.size(), patch.rectangles.size());
     for (const PatchRectangle& cell : patch.rectangles) {
         const Vec2 sides = patch.material[cell.nodes[2]] - patch.material[cell.nodes[0]];
         Combination twist;
         for (int corner = 0; corner < 4; ++corner) twist.add(cell.nodes[corner], corner % 2 == 0 ? 1 : -1);
         stencils.add(twist, cell.factors.bending * constant / (sides.x * sides.y));
     }
-    stencils.writeTo(model.twist, patch.particles);
+    stencils.finish(patch.particles);
     return false;
 }
 
 } // namespace
 
 bool appendBending(ClothModel& model, const Patch& patch, const material::Fabric& fabric) {
-    BendingBuilder(patch, fabric).appendTo(model);
+    BendingBuilder(model, patch, fabric).append();
     return appendTwist(model, patch, fabric);
 }
 
@@ -220,6 +240,7 @@ Hinge seamHinge(const SeamEdge& edge) {
 }
 
 void doubleBendingAtClampedRows(ClothModel& model) {
+    if (model.pinned.empty()) return;
     std::vector<char> pinned(model.mass.size(), 0);
     for (int particle : model.pinned) pinned[particle] = 1;
     for (Stencil& stencil : model.bending) {

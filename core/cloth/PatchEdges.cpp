@@ -2,7 +2,7 @@
 #include "core/cloth/PatchEdges.h"
 
 #include "core/base/Contracts.h"
-#include "core/cloth/NodeIndex.h"
+#include "core/cloth/NodeChains.h"
 
 #include <algorithm>
 #include <map>
@@ -13,9 +13,11 @@ namespace {
 /// The slaves of a patch, found by where they lie.
 class SlaveFinder {
 public:
-    explicit SlaveFinder(const Patch& patch) : patch_(patch) {
+    explicit SlaveFinder(const Patch& patch) : patch_(patch), bears_(patch.material.size(), 0) {
         for (int s = 0; s < static_cast<int>(patch.slaves.size()); ++s) {
             byNode_[patch.slaves[s].node] = s;
+            bears_[patch.slaves[s].node] = 1;
+            for (const auto& [master, weight] : patch.slaves[s].masters) bears_[master] = 1;
             rows_.push_back(s);
             columns_.push_back(s);
         }
@@ -30,6 +32,7 @@ public:
 
     /// Slaves strictly between nodes a and b of a grain-parallel side, from a to b.
     [[nodiscard]] std::vector<Hit> between(int a, int b) const {
+        if (!bears_[a] && !bears_[b]) return {};
         const Vec2 from = patch_.material[a], along = patch_.material[b] - from;
         const bool horizontal = std::abs(along.x) > std::abs(along.y);
         const double length = geometry::length(along), tolerance = 1e-6 * length;
@@ -63,52 +66,54 @@ private:
     }
 
     const Patch& patch_;
+    std::vector<char> bears_; ///< of each node: a master or a slave; others have no slave beside them
     std::vector<int> rows_, columns_;
     std::map<int, int> byNode_;
 };
 
 class EdgeCollector {
 public:
-    explicit EdgeCollector(std::size_t expected) : byNodes_(expected) { edges_.reserve(expected); }
+    EdgeCollector(std::size_t nodes, std::size_t expected) : byNode_(nodes, expected) { edges_.reserve(expected); }
 
     void add(int a, int b, const EdgeSide& side) {
-        const int next = static_cast<int>(edges_.size());
-        const int index = byNodes_.findOrAdd({std::min(a, b), std::max(a, b)}, next);
-        if (index == next) {
+        const int low = std::min(a, b), high = std::max(a, b);
+        const int known =
+            byNode_.find(low, [&](int entry) { return std::max(edges_[entry].a, edges_[entry].b) == high; });
+        if (known < 0) {
             edges_.push_back({a, b, side, {}});
+            byNode_.add(low);
             return;
         }
-        PatchEdge& edge = edges_[index];
-        expects(!edge.isInner(), "an edge of a patch has at most two cells");
-        edge.second = side;
+        expects(!edges_[known].isInner(), "an edge of a patch has at most two cells");
+        edges_[known].second = side;
     }
     [[nodiscard]] std::vector<PatchEdge> take() { return std::move(edges_); }
 
 private:
     std::vector<PatchEdge> edges_;
-    NodeIndex<2> byNodes_;
+    NodeChains byNode_; ///< the smaller of both
 };
 
 } // namespace
 
 std::vector<PatchEdge> edgesOf(const Patch& patch) {
     const SlaveFinder slaves(patch);
-    EdgeCollector edges(2 * patch.rectangles.size() + 2 * patch.triangles.size() + 16);
+    EdgeCollector edges(patch.material.size(), 2 * patch.rectangles.size() + 2 * patch.triangles.size() + 16);
     for (int r = 0; r < static_cast<int>(patch.rectangles.size()); ++r)
-        for (int side = 0; side < 4; ++side) {
+        for (std::int8_t side = 0; side < 4; ++side) {
             const auto& nodes = patch.rectangles[r].nodes;
             int last = nodes[side];
             double from = 0;
             for (const auto& [t, node] : slaves.between(nodes[side], nodes[(side + 1) % 4])) {
-                edges.add(last, node, {true, r, side, from, t});
+                edges.add(last, node, {from, t, r, true, side});
                 last = node;
                 from = t;
             }
-            edges.add(last, nodes[(side + 1) % 4], {true, r, side, from, 1});
+            edges.add(last, nodes[(side + 1) % 4], {from, 1, r, true, side});
         }
     for (int t = 0; t < static_cast<int>(patch.triangles.size()); ++t)
-        for (int side = 0; side < 3; ++side)
-            edges.add(patch.triangles[t].nodes[side], patch.triangles[t].nodes[(side + 1) % 3], {false, t, side, 0, 1});
+        for (std::int8_t side = 0; side < 3; ++side)
+            edges.add(patch.triangles[t].nodes[side], patch.triangles[t].nodes[(side + 1) % 3], {0, 1, t, false, side});
     return edges.take();
 }
 

@@ -3,16 +3,17 @@
 
 #include "core/cloth/Patch.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace toile::cloth {
 
 /// A cell as seen from one of its edges.
 struct EdgeSide {
-    bool rectangle = false;
-    int cell = -1;           ///< index into the patch's rectangles or triangles
-    int side = 0;            ///< from corner `side` to the next one, counter-clockwise
     double from = 0, to = 1; ///< the part of a rectangle's side that this edge is [–]; less than all beside slaves
+    int cell = -1;           ///< index into the patch's rectangles or triangles
+    bool rectangle = false;
+    std::int8_t side = 0; ///< from corner `side` to the next one, counter-clockwise
 };
 
 /// A stretch between two neighbouring nodes a → b, counter-clockwise in the first of its sides.

@@ -30,6 +30,8 @@ cloth::Patch patchOf(const Piece& piece, const meshing::PieceMesh& mesh, std::sp
     cloth::Patch patch;
     patch.material = mesh.material;
     patch.particles.assign(particles.begin(), particles.end());
+    patch.rectangles.reserve(mesh.rectangles.size());
+    patch.triangles.reserve(mesh.triangles.size());
     for (const meshing::Rectangle& cell : mesh.rectangles)
         patch.rectangles.push_back({cell.nodes, factorsOf(piece, cell.region)});
     for (const meshing::Triangle& t : mesh.triangles) patch.triangles.push_back({t.nodes, factorsOf(piece, t.region)});
