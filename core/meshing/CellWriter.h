@@ -22,8 +22,8 @@ public:
         addRectangle(corners, region);
         const Four triangles = mirrored_ ? __builtin_shuffle(corners, Four{0, 3, 1, 0})
                                          : __builtin_shuffle(corners, Four{0, 1, 3, 0}); // and the first of the next
-        const Four rest = mirrored_ ? __builtin_shuffle(corners, Four{2, 3, 2, 3})
-                                    : __builtin_shuffle(corners, Four{3, 2, 3, 2});
+        const Four rest =
+            mirrored_ ? __builtin_shuffle(corners, Four{2, 3, 2, 3}) : __builtin_shuffle(corners, Four{3, 2, 3, 2});
         std::memcpy(static_cast<void*>(display_), &triangles, sizeof triangles);
         std::memcpy(&display_[1][1], &rest, 2 * sizeof(int));
         display_ += 2;
@@ -52,8 +52,8 @@ private:
         return Four(pairs);
     }
     void addRectangle(Four corners, int region) {
-        const Four nodes = mirrored_ ? __builtin_shuffle(corners, Four{1, 0, 2, 3})
-                                     : __builtin_shuffle(corners, Four{0, 1, 3, 2});
+        const Four nodes =
+            mirrored_ ? __builtin_shuffle(corners, Four{1, 0, 2, 3}) : __builtin_shuffle(corners, Four{0, 1, 3, 2});
         std::memcpy(rectangle_->nodes.data(), &nodes, sizeof nodes);
         rectangle_->region = region;
         ++rectangle_;

@@ -159,16 +159,19 @@ void GridFiller::alignBoundary() {
 
 /// The wider of the cells beside each main line.
 void GridFiller::measureLines() {
-    const auto measure = [&](const IntegerAxis& lines, const std::vector<double>& places, std::vector<double>& widths) {
+    const auto measure = [&](const IntegerAxis& lines, const std::vector<double>& places, std::vector<double>& widths,
+                             std::vector<double>& inverse) {
         widths.assign(at(lines.count()), 0);
         for (std::size_t i = 0; i + 1 < places.size(); ++i) {
             const double width = (places[i + 1] - places[i]) / frame_->unit;
             widths[i] = std::max(widths[i], width);
             widths[i + 1] = width;
         }
+        inverse.clear();
+        for (const double width : widths) inverse.push_back(1 / width);
     };
-    measure(fill_->lines.x, lattice_->mainX(), widthAt_);
-    measure(fill_->lines.y, lattice_->mainY(), heightAt_);
+    measure(fill_->lines.x, lattice_->mainX(), widthAt_, perWidth_);
+    measure(fill_->lines.y, lattice_->mainY(), heightAt_, perHeight_);
 }
 
 /// Distances are measured in cells, so that oblong cells are cleared alike both ways.
@@ -211,7 +214,7 @@ void GridFiller::clearCorners(const BorderSegment& segment) {
             char& inner = fill_->inner[at(lattice_->corner(column, row))];
             if (!inner) continue;
             const double x = lines.x[column], y = lines.y[row];
-            const double scaleX = 1 / widthAt_[at(column)], scaleY = 1 / heightAt_[at(row)];
+            const double scaleX = perWidth_[at(column)], scaleY = perHeight_[at(row)];
             const Vec2 a{(segment.a.x - x) * scaleX, (segment.a.y - y) * scaleY};
             const Vec2 b{(segment.b.x - x) * scaleX, (segment.b.y - y) * scaleY};
             const double radius = cleared_ / coarsestAt(column, row);

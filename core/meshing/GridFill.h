@@ -71,6 +71,7 @@ private:
     double cleared_ = clearance;               ///< of the spacing [–]
     std::vector<int> coarsest_;                ///< smallest u of the main cells that have each node beyond the corners
     std::vector<double> widthAt_, heightAt_;   ///< the wider of the cells beside each main line [units]
+    std::vector<double> perWidth_, perHeight_; ///< one over them
     std::vector<int> before_, after_;          ///< of each border node in its ring
     std::vector<int> rowNodes_, nextRowNodes_; ///< of a main cell
 };

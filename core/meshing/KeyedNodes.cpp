@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/meshing/MortonWalk.h"
+#include "core/meshing/KeyedNodes.h"
 
 #include <algorithm>
 #include <array>
@@ -12,9 +12,10 @@ void sortByKey(std::vector<KeyedNode>& nodes, std::vector<KeyedNode>& buffer) {
     if (nodes.empty()) return;
     std::uint64_t varying = 0;
     for (const KeyedNode& node : nodes) varying |= node.first ^ nodes.front().first;
-    const int high = static_cast<int>(std::bit_width(varying));
-    const int low = std::max(0, high - static_cast<int>(std::bit_width(nodes.size())) - 5);
     constexpr int digit = 8; // bits
+    const int high = static_cast<int>(std::bit_width(varying));
+    const int digits = std::max(1, (static_cast<int>(std::bit_width(nodes.size())) + 5) / digit);
+    const int low = std::max(0, high - digits * digit);
     buffer.resize(nodes.size());
     for (int shift = low; shift < high; shift += digit) {
         std::array<std::size_t, (1 << digit) + 1> first{};

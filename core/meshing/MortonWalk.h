@@ -2,18 +2,15 @@
 #pragma once
 
 #include "core/meshing/GridPoint.h"
+#include "core/meshing/KeyedNodes.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace toile::meshing {
-
-/// A node and its place along a Morton curve of the lattice: columns and rows with 8 binary digits behind the point.
-using KeyedNode = std::pair<std::uint64_t, int>;
 
 /// Columns and rows of a block of 8 × 8 along the curve.
 struct BlockOffset {
@@ -27,11 +24,8 @@ constexpr std::array<BlockOffset, 64> orderInBlock = [] {
     return order;
 }();
 
-/// Sorts by key, then by node: counts over as many of the leading bits that vary as tell most nodes apart, then sorts
-/// what is left. `buffer` is room to work in.
-void sortByKey(std::vector<KeyedNode>& nodes, std::vector<KeyedNode>& buffer);
-
-/// Where a Morton curve runs over a lattice: its quadrants meet at a corner in the middle.
+/// Where a Morton curve runs over a lattice: its quadrants meet at a corner in the middle. Keys have 8 binary digits of
+/// columns and rows behind the point.
 struct MortonSquare {
     int size = 1;            ///< of its side in blocks of 8 × 8 corners, a power of two
     int column = 0, row = 0; ///< what is added to those of the lattice

@@ -19,8 +19,8 @@ constexpr double squaredCosineOfLeast = 0.5, squaredCosineOfMost = 0.58682408883
 /// Both triangles at a side as a quadrilateral.
 void PairMerger::judge(const Strip& strip, int side) {
     const TriangleSides& sides = strip.sides;
-    const int twin = sides.twinOf(side), a = side / 3, b = twin / 3;
-    if (strip.region[at(a)] != strip.region[at(b)]) return;
+    const int twin = sides.twinOf(side);
+    if (strip.region[at(side / 3)] != strip.region[at(twin / 3)]) return;
     const int low = sides.startOf(side), high = sides.endOf(side);
     const std::array<int, 4> quad{low, sides.apexOf(twin), high, sides.apexOf(side)};
     std::array<Vec2, 4> way; // from corner to corner
@@ -35,9 +35,21 @@ void PairMerger::judge(const Strip& strip, int side) {
         if (square > (cosine > 0 ? squaredCosineOfLeast : squaredCosineOfMost)) return;
         worst = std::max(worst, square);
     }
-    const std::uint64_t place = std::min(mortonCode(strip.points[at(low)]), mortonCode(strip.points[at(high)]));
-    candidates_.push_back(
-        {static_cast<int>(std::lround(std::sqrt(worst) * 1e6)), place, std::min(a, b), std::max(a, b)});
+    candidates_.emplace_back(static_cast<std::uint64_t>(std::sqrt(worst) * 1e6 + 0.5), side);
+}
+
+void PairMerger::orderDraws(const Strip& strip) {
+    const TriangleSides& sides = strip.sides;
+    const auto placeOf = [&](int vertex) { return mortonCode(strip.points[at(vertex)]); };
+    forEachDraw(candidates_, [&](std::span<KeyedNode> draw) {
+        draws_.clear();
+        for (const auto& [deviation, side] : draw) {
+            const auto [a, b] = std::minmax({side / 3, sides.twinOf(side) / 3});
+            draws_.push_back({std::min(placeOf(sides.startOf(side)), placeOf(sides.endOf(side))), a, b, side});
+        }
+        std::sort(draws_.begin(), draws_.end());
+        for (std::size_t i = 0; i < draw.size(); ++i) draw[i].second = draws_[i].side;
+    });
 }
 
 void PairMerger::run(Strip& strip) {
@@ -45,12 +57,13 @@ void PairMerger::run(Strip& strip) {
     candidates_.clear();
     for (int side = 0; side < static_cast<int>(strip.sides.start.size()); ++side)
         if (strip.sides.twinOf(side) > side) judge(strip, side);
-    std::sort(candidates_.begin(), candidates_.end());
-    for (const Candidate& pair : candidates_) {
-        int &a = strip.mergedWith[at(pair.a)], &b = strip.mergedWith[at(pair.b)];
-        if (a >= 0 || b >= 0) continue;
-        a = pair.b;
-        b = pair.a;
+    sortByKey(candidates_, candidatesBuffer_);
+    orderDraws(strip);
+    for (const auto& [deviation, side] : candidates_) {
+        const int a = side / 3, b = strip.sides.twinOf(side) / 3;
+        if (strip.mergedWith[at(a)] >= 0 || strip.mergedWith[at(b)] >= 0) continue;
+        strip.mergedWith[at(a)] = b;
+        strip.mergedWith[at(b)] = a;
     }
 }
 

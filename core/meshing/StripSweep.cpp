@@ -43,19 +43,22 @@ void StripSweep::run(std::span<const GridPoint> points, std::span<const Wall> wa
     unusedNodes_.clear();
     sortPoints();
     listWalls(walls);
-    for (const Ordered& point : order_) visit(point.vertex);
+    for (const auto& [along, vertex] : order_) visit(vertex);
     expects(crossed_.empty(), "walls are closed");
 }
 
 void StripSweep::sortPoints() {
+    constexpr std::int64_t least = -(sweepX + sweepY) * std::int64_t{gridLimit};
     order_.clear();
     for (int v = 0; v < static_cast<int>(points_.size()); ++v)
-        order_.push_back({sweepX * at(v).x + sweepY * at(v).y, at(v).x, v});
-    std::sort(order_.begin(), order_.end(), [](const Ordered& a, const Ordered& b) {
-        return a.along != b.along ? a.along < b.along : a.across < b.across;
+        order_.emplace_back(static_cast<std::uint64_t>(sweepX * at(v).x + sweepY * at(v).y - least), v);
+    sortByKey(order_, orderBuffer_);
+    forEachDraw(order_, [&](std::span<KeyedNode> draw) {
+        std::sort(draw.begin(), draw.end(),
+                  [&](const KeyedNode& a, const KeyedNode& b) { return at(a.second).x < at(b.second).x; });
     });
     rank_.resize(points_.size());
-    for (std::size_t i = 0; i < order_.size(); ++i) rank_[index(order_[i].vertex)] = static_cast<int>(i);
+    for (std::size_t i = 0; i < order_.size(); ++i) rank_[index(order_[i].second)] = static_cast<int>(i);
 }
 
 void StripSweep::listWalls(std::span<const Wall> walls) {

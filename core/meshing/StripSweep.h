@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/meshing/GridPoint.h"
+#include "core/meshing/KeyedNodes.h"
 #include "core/meshing/TriangleSides.h"
 
 #include <span>
@@ -55,12 +56,7 @@ private:
 
     std::span<const GridPoint> points_;
     TriangleSides* sides_ = nullptr;
-    struct Ordered {
-        std::int64_t along;
-        std::int32_t across;
-        int vertex;
-    };
-    std::vector<Ordered> order_;
+    std::vector<KeyedNode> order_, orderBuffer_;
     std::vector<int> rank_;              ///< of each point in `order_`
     std::vector<int> firstWall_, after_; ///< the walls that start at each point: list heads and links
     std::vector<Crossed> walls_;         ///< each from its left to its right end
