@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/CellLayer.h"
 
+#include "core/meshing/Flags.h"
+
 #include <algorithm>
-#include <cstring>
 
 namespace toile::meshing {
 namespace {
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
-}
-
-/// Eight flags at once, each 0 or 1.
-std::uint64_t eight(const char* flags) {
-    std::uint64_t all = 0;
-    std::memcpy(&all, flags, sizeof all);
-    return all;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "core/meshing/FinishedPiece.h"
 
 #include "core/base/Contracts.h"
+#include "core/meshing/Flags.h"
 
 #include <algorithm>
 
@@ -73,10 +74,8 @@ std::array<int, 3> PieceFinisher::turned(std::array<int, 3> nodes) const {
 /// Whole cells by rows, then those in and beside divided ones; for display each cut in two, or between the nodes on its
 /// sides. The strip's triangles are displayed as they are.
 void PieceFinisher::addRectangles(const NodePlaces& places) {
-    std::size_t count = 0; // mixed ones that are whole are counted twice
-    const auto whole = at(lattice_->wholeCell(0, lattice_->rows()));
-    for (std::size_t cell = 0; cell < whole; ++cell) count += static_cast<std::size_t>(fill_->filled[cell]);
-    count += layer_->mixed.size();
+    const auto whole = std::span(fill_->filled).first(at(lattice_->wholeCell(0, lattice_->rows())));
+    std::size_t count = countOf(whole) + layer_->mixed.size(); // those that are both are counted twice
     for (const int main : layer_->plain) count += at(lattice_->divisionOf(main) * lattice_->divisionOf(main));
     mesh_->rectangles.resize(count);
     mesh_->display.resize(2 * count + layer_->hangingNodes.size() + at(strip_->sides.triangles()));

@@ -30,9 +30,6 @@ private:
     [[nodiscard]] std::size_t countNodes() const;
     void measureLines();
     void numberNodes(const NodePlaces& places);
-    int numberCorner(int number, int column, int row);
-    int numberBlock(int number, int column, int row);
-    void numberWholeBlock(int number, int column, int row);
     void place(int number, Vec2 inFrame);
     void addRectangles(const NodePlaces& places);
     [[nodiscard]] CellWriter addedWhole(CellWriter to) const;

@@ -82,10 +82,16 @@ private:
             number_ = visitBlock_(number_, column, row);
             return;
         }
-        for (std::size_t k = 0; k < 64; ++k) {
-            const int c = column + orderInBlock[k].x, r = row + orderInBlock[k].y;
+        const VisitCorner visit = visitCorner_; // a copy of its own: what it writes cannot change it
+        othersBefore(first);
+        for (std::size_t k = 0; k < 64;) {
+            const bool isLast = next_ == others_.size() || others_[next_].first >= first + (std::uint64_t{64} << 16);
+            const std::size_t end = isLast ? 64 : ((others_[next_].first - first) >> 16) + 1;
+            for (; k < end; ++k) {
+                const int c = column + orderInBlock[k].x, r = row + orderInBlock[k].y;
+                if (c >= 0 && r >= 0 && c < columns_ && r < rows_) number_ = visit(number_, c, r);
+            }
             othersBefore(first + (std::uint64_t{k} << 16));
-            if (c >= 0 && r >= 0 && c < columns_ && r < rows_) number_ = visitCorner_(number_, c, r);
         }
     }
 

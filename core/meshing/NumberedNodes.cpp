@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The nodes of a finished piece: where they are, and in which order.
 #include "core/meshing/FinishedPiece.h"
+#include "core/meshing/Flags.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace toile::meshing {
 namespace {
@@ -12,13 +12,57 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-/// Eight flags at once, each 0 or 1.
-std::uint64_t eight(const char* flags) {
-    std::uint64_t all = 0;
-    std::memcpy(&all, flags, sizeof all);
-    return all;
-}
-constexpr std::uint64_t allEight = 0x0101010101010101ULL;
+/// Numbers corners of main cells that are inner nodes, and writes where they are. To be copied: what is written to a
+/// mesh cannot change a copy of one's own, which the compiler knows.
+struct CornerWriter {
+    std::ptrdiff_t width;              ///< of a row of corners
+    const char* inner;                 ///< of each corner
+    int* numbers;                      ///< of each corner
+    const double *u, *v;               ///< of the lines
+    const Vec2 *alongWeft, *alongWarp; ///< of the lines: their sum is a corner's place
+    Vec2 *materials, *points;          ///< by number
+
+    [[nodiscard]] int corner(int number, int column, int row) const {
+        const std::ptrdiff_t node = row * width + column;
+        if (!inner[node]) return number;
+        materials[number] = {u[column], v[row]};
+        points[number] = alongWeft[column] + alongWarp[row];
+        numbers[node] = number;
+        return number + 1;
+    }
+
+    [[nodiscard]] int block(int number, int column, int row) const {
+        const char* flags = inner + row * width + column;
+        std::uint64_t every = allEight, any = 0;
+        for (int r = 0; r < 8; ++r, flags += width) {
+            every &= eight(flags);
+            any |= eight(flags);
+        }
+        if (any == 0) return number;
+        if (every == allEight) return wholeBlock(number, column, row);
+        for (const auto [x, y] : orderInBlock) number = corner(number, column + x, row + y);
+        return number;
+    }
+
+    /// All 64 corners are inner nodes: sixteen times two by two.
+    [[nodiscard]] int wholeBlock(int number, int column, int row) const {
+        int* const first = numbers + row * width + column;
+        for (std::size_t k = 0; k < 64; k += 4) {
+            const auto [x, y] = orderInBlock[k];
+            int *low = first + y * width + x, *high = low + width;
+            low[0] = number;
+            low[1] = number + 1;
+            high[0] = number + 2;
+            high[1] = number + 3;
+            for (int i = 0; i < 4; ++i, ++number) {
+                const int c = column + x + i % 2, r = row + y + i / 2;
+                materials[number] = {u[c], v[r]};
+                points[number] = alongWeft[c] + alongWarp[r];
+            }
+        }
+        return number;
+    }
+};
 
 } // namespace
 
@@ -58,10 +102,7 @@ void PieceFinisher::place(int number, Vec2 inFrame) {
 }
 
 std::size_t PieceFinisher::countNodes() const {
-    std::size_t count = at(borderCount_);
-    for (std::size_t node = 0; node + GridFill::margin < fill_->inner.size(); node += 8)
-        count += (eight(fill_->inner.data() + node) * allEight) >> 56; // their sum
-    return count;
+    return at(borderCount_) + countOf(std::span(fill_->inner).first(fill_->inner.size() - GridFill::margin));
 }
 
 void PieceFinisher::measureLines() {
@@ -95,63 +136,18 @@ void PieceFinisher::numberNodes(const NodePlaces& places) {
         }
         return number + 1;
     };
+    const CornerWriter writer{
+        lattice_->columns() + 1, fill_->inner.data(), fill_->node.data(),     u_.data(),          v_.data(),
+        alongWeft_.data(),       alongWarp_.data(),   mesh_->material.data(), mesh_->nodes.data()};
     int next = MortonWalk(
                    square_, lattice_->columns() + 1, lattice_->rows() + 1, others_,
-                   [this](int number, int column, int row) { return numberBlock(number, column, row); },
-                   [this](int number, int column, int row) { return numberCorner(number, column, row); }, visitOther)
+                   [writer](int number, int column, int row) { return writer.block(number, column, row); },
+                   [writer](int number, int column, int row) { return writer.corner(number, column, row); }, visitOther)
                    .run();
     for (const KeyedNode& slave : slaves_) next = visitOther(next, slave.second);
     for (const auto& [node, latticeNode] : fill_->aligned) fill_->node[at(latticeNode)] = borderNumbers_[at(node)];
     for (std::size_t v = 0; v < strip_->places.size(); ++v) // these may have been moved
         if (layer_->isFree[v]) place(numberOf(layer_->stripNodes[v]), strip_->places[v]);
-}
-
-int PieceFinisher::numberCorner(int number, int column, int row) {
-    const std::size_t node = at(lattice_->corner(column, row));
-    if (!fill_->inner[node]) return number;
-    mesh_->material[at(number)] = {u_[at(column)], v_[at(row)]};
-    mesh_->nodes[at(number)] = alongWeft_[at(column)] + alongWarp_[at(row)];
-    fill_->node[node] = number;
-    return number + 1;
-}
-
-int PieceFinisher::numberBlock(int number, int column, int row) {
-    const std::size_t width = at(lattice_->columns() + 1);
-    const char* inner = fill_->inner.data() + lattice_->corner(column, row);
-    std::uint64_t every = allEight, any = 0;
-    for (int r = 0; r < 8; ++r, inner += width) {
-        every &= eight(inner);
-        any |= eight(inner);
-    }
-    if (any == 0) return number;
-    if (every == allEight) {
-        numberWholeBlock(number, column, row);
-        return number + 64;
-    }
-    for (const auto [x, y] : orderInBlock) number = numberCorner(number, column + x, row + y);
-    return number;
-}
-
-/// All 64 corners are inner nodes: sixteen times two by two.
-void PieceFinisher::numberWholeBlock(int number, int column, int row) {
-    const std::ptrdiff_t width = lattice_->columns() + 1;
-    int* const numbers = fill_->node.data() + lattice_->corner(column, row);
-    const double *u = u_.data() + column, *v = v_.data() + row;
-    const Vec2 *weft = alongWeft_.data() + column, *warp = alongWarp_.data() + row;
-    Vec2 *material = mesh_->material.data() + number, *point = mesh_->nodes.data() + number;
-    for (std::size_t k = 0; k < 64; k += 4) {
-        const auto [x, y] = orderInBlock[k];
-        int *low = numbers + y * width + x, *high = low + width;
-        low[0] = number++;
-        low[1] = number++;
-        high[0] = number++;
-        high[1] = number++;
-        for (int i = 0; i < 4; ++i) {
-            const int c = x + i % 2, r = y + i / 2;
-            *material++ = {u[c], v[r]};
-            *point++ = weft[c] + warp[r];
-        }
-    }
 }
 
 } // namespace toile::meshing

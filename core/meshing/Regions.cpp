@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/Regions.h"
 
+#include "core/meshing/Flags.h"
 #include "core/meshing/PolygonOverlap.h"
 #include "core/meshing/RegionBorderPath.h"
 
@@ -235,7 +236,7 @@ Result<void> refusedBeyondLimit(const PieceInput& piece, double cells, const std
 Result<void> affordable(const PieceInput& piece, const Lattice& lattice) {
     double cells = static_cast<double>(lattice.active.size()); // no more than that, if none is divided
     if (lattice.division.empty() && cells <= largestCellCount) return {};
-    cells = static_cast<double>(std::count(lattice.active.begin(), lattice.active.end(), char{1}));
+    cells = static_cast<double>(countOf(lattice.active));
     for (std::size_t c = 0; c < lattice.division.size(); ++c)
         if (lattice.active[c] && lattice.division[c] > 1)
             cells += static_cast<double>(lattice.division[c]) * lattice.division[c] - 1;
