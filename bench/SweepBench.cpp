@@ -23,9 +23,7 @@ struct Timed final : dynamics::Stage {
 
     std::string_view name() const override { return stage.name(); }
     std::size_t bytes() const override { return stage.bytes(); }
-    void beginStep(const dynamics::ParticleState& state, double duration) override {
-        stage.beginStep(state, duration);
-    }
+    void beginStep(const dynamics::ParticleState& state, double duration) override { stage.beginStep(state, duration); }
     void project(dynamics::Substep& substep) override {
         const double start = study::threadSeconds();
         stage.project(substep);
@@ -64,7 +62,8 @@ void substeps(benchmark::State& run) {
     const simulation::Simulation garment = blouse(1e-4 * static_cast<double>(run.range(0)));
     const cloth::ClothModel& model = garment.garment().model;
     dynamics::ParticleState state = garment.state();
-    const auto contact = simulation::bodyContactOf(garment.scene(), garment.garment(), *garment.body(), state.positions);
+    const auto contact =
+        simulation::bodyContactOf(garment.scene(), garment.garment(), *garment.body(), state.positions);
     Timed timed(*contact);
     dynamics::Stage* stages[] = {&timed};
     dynamics::Xpbd xpbd(model, {.damping = 3, .speedLimit = 10});
@@ -93,8 +92,15 @@ void substeps(benchmark::State& run) {
     run.counters["contact_ns"] = 1e9 * contacts / particles;
 }
 
-BENCHMARK(substeps)->ArgName("tenths_of_mm")->Arg(200)->Arg(100)->Arg(70)->Arg(31)->UseManualTime()->Iterations(20)->Unit(
-    benchmark::kMillisecond);
+BENCHMARK(substeps)
+    ->ArgName("tenths_of_mm")
+    ->Arg(200)
+    ->Arg(100)
+    ->Arg(70)
+    ->Arg(31)
+    ->UseManualTime()
+    ->Iterations(20)
+    ->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace toile::bench

@@ -84,6 +84,8 @@ struct CasesOptions {
 };
 /// Cases with known answers.
 [[nodiscard]] int studyValidation(const CasesOptions& options, std::stop_token stop);
+/// Extreme inputs: bounded, or refused with a sentence.
+[[nodiscard]] int studyStability(const CasesOptions& options, std::stop_token stop);
 
 struct InspectOptions {
     std::string file;

@@ -221,6 +221,16 @@ void declareValidation(CLI::App& study, std::stop_token stop, std::function<int(
         [options, stop, &chosen] { chosen = [options, stop] { return batch::studyValidation(*options, stop); }; });
 }
 
+void declareStability(CLI::App& study, std::stop_token stop, std::function<int()>& chosen) {
+    auto* stability = study.add_subcommand("stability", "extreme inputs: bounded, or refused with a sentence");
+    auto options = std::make_shared<CasesOptions>();
+    stability->add_option("--only", options->only, "numbers of cases, as S1,S12; all if none is named")->delimiter(',');
+    stability->add_flag("--quick", options->quick, "coarser and shorter, in about two minutes");
+    stability->add_option("--out", options->out, "folder of report.md, results.jsonl and the map of S1");
+    stability->callback(
+        [options, stop, &chosen] { chosen = [options, stop] { return batch::studyStability(*options, stop); }; });
+}
+
 void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
     auto* study = app.add_subcommand("study", "measure how wrong results are, and what they cost");
     study->require_subcommand(1);
@@ -243,6 +253,7 @@ void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& cho
         [options, stop, &chosen] { chosen = [options, stop] { return batch::studyRegions(*options, stop); }; });
     declareStorage(*study, chosen);
     declareValidation(*study, stop, chosen);
+    declareStability(*study, stop, chosen);
 }
 
 } // namespace

@@ -12,6 +12,7 @@ private slots:
     void storageIsPrintedAndWritten();
     void aBoxThatIsNoneIsSaid();
     void casesAreRunByTheirNumbers();
+    void extremesAreRunByTheirNumbers();
 };
 
 void tst_StudyCommand::aStudyLeavesItsReport() {
@@ -86,6 +87,21 @@ void tst_StudyCommand::casesAreRunByTheirNumbers() {
     const Finished none = run({"study", "validation", "--only", "V3,V99"});
     QCOMPARE(none.status, 1);
     QVERIFY(none.err.contains("There is no validation case \"V99\"."));
+}
+
+void tst_StudyCommand::extremesAreRunByTheirNumbers() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("stability");
+    const Finished finished = run({"study", "stability", "--quick", "--only", "S2,S4,S21,S30", "--out", out});
+    QCOMPARE(finished.err, QString());
+    QCOMPARE(finished.status, 0);
+    QVERIFY(finished.out.contains("2 PASS, 0 PASS-WARN, 13 REFUSED, 0 FAIL; 1 cases not run."));
+    const auto lines = contentOf(out + "/results.jsonl").split('\n');
+    QCOMPARE(lines.size(), 16 + 1); // the last ends with a line end
+    for (const QByteArray& line : lines.first(16))
+        QVERIFY(missingKeys(jsonOf(line), {"schema", "program", "machine", "case", "verdict"}).isEmpty());
+    QVERIFY(contentOf(out + "/report.md").contains("Particle 1 has no mass."));
+    QCOMPARE(run({"study", "stability", "--only", "S99"}).status, 1);
 }
 
 QTEST_APPLESS_MAIN(tst_StudyCommand)

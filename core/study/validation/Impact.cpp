@@ -46,28 +46,6 @@ void v26DropOnAPlane(Findings& found) {
     }
 }
 
-/// Least distance between corners of the one layer and triangles of the other, both ways [m].
-double leastDistance(const std::vector<Vec3>& x, const std::vector<std::array<int, 3>>& upper,
-                     const std::vector<std::array<int, 3>>& lower) {
-    double least = std::numeric_limits<double>::infinity();
-    const auto edges = [](const std::array<int, 3>& t) {
-        return std::array<std::array<int, 2>, 3>{{{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}}};
-    };
-    const auto look = [&](const collision::ElementPair& pair) {
-        least = std::min(least, collision::separationOf(pair, x).distance);
-    };
-    for (const auto& a : upper)
-        for (const auto& b : lower) {
-            for (int k = 0; k < 3; ++k) {
-                look({{a[k], b[0], b[1], b[2]}, 1});
-                look({{b[k], a[0], a[1], a[2]}, 1});
-            }
-            for (const auto& e : edges(a))
-                for (const auto& f : edges(b)) look({{e[0], e[1], f[0], f[1]}, 2});
-        }
-    return least;
-}
-
 /// A strip of 0.2 m that is bent back over itself, the lower half held, and let fall.
 void v27FoldedStrip(Findings& found) {
     constexpr double half = 0.1, gap = 0.01, bend = gap / 2 * std::numbers::pi;

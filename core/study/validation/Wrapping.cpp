@@ -102,13 +102,14 @@ void v24FitPressureAtRest(Findings& found) {
 }
 
 void v24FitPressureOnAHardBody(Findings& found) {
-    settle(found, "statics with contact 20 times as stiff", {.stiffness = 20 * dynamics::BodyContactSettings{}.stiffness});
+    settle(found, "statics with contact 20 times as stiff",
+           {.stiffness = 20 * dynamics::BodyContactSettings{}.stiffness});
 }
 
 /// A light strip over a cylinder, half round it, with a weight at either end.
 struct Belt {
     static constexpr double friction = 0.3, radius = 0.05, light = 0.002, heavy = 0.008; // [–], [m], [kg], [kg]
-    static constexpr double tails[2] = {0.15, 0.06};                                      // light and heavy end [m]
+    static constexpr double tails[2] = {0.15, 0.06};                                     // light and heavy end [m]
     collision::BodySurface body;
     ClothModel model;
     ParticleState state;
@@ -176,7 +177,8 @@ std::vector<Case> wrappingCases() {
     return {
         {"V24", theme, "cylinder hoop: fit pressure while moving", v24FitPressureWhileMoving},
         {"V24", theme, "cylinder hoop: fit pressure at rest", v24FitPressureAtRest,
-         "Contact yields to forces: 200 Pa dent it by 0.22 mm. On a radius of 0.1 m that takes 2 % of a strain of 10 %. "
+         "Contact yields to forces: 200 Pa dent it by 0.22 mm. On a radius of 0.1 m that takes 2 % of a strain of 10 "
+         "%. "
          "With stiffer contact the tension is right."},
         {"V24", theme, "cylinder hoop: fit pressure on a hard body", v24FitPressureOnAHardBody},
         {"V25", theme, "capstan", v25Capstan<Method::xpbd>},

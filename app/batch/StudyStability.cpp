@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/Commands.h"
+#include "app/batch/Console.h"
+#include "app/batch/StudyFolder.h"
+#include "core/base/AtomicFile.h"
+#include "core/study/stability/Report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace toile::batch {
+namespace {
+
+using namespace study::stability;
+
+/// Those that are named; all, where none is.
+struct Chosen {
+    std::vector<Case> cases;
+    std::vector<NotRun> notRun;
+};
+
+Result<Chosen> chosenOf(const std::vector<std::string>& numbers) {
+    Chosen chosen{allCases(), casesNotRun()};
+    if (numbers.empty()) return chosen;
+    const auto isAmong = [](const auto& all, const std::string& number) {
+        return std::ranges::any_of(all, [&](const auto& one) { return one.number == number; });
+    };
+    for (const std::string& number : numbers)
+        if (!isAmong(chosen.cases, number) && !isAmong(chosen.notRun, number))
+            return fail(ErrorCode::notFound, fmt::format("There is no stability case \"{}\".", number));
+    const auto isNotNamed = [&](const auto& one) { return std::ranges::find(numbers, one.number) == numbers.end(); };
+    std::erase_if(chosen.cases, isNotNamed);
+    std::erase_if(chosen.notRun, isNotNamed);
+    return chosen;
+}
+
+std::string commandOf(const CasesOptions& options) {
+    std::string command = "toile-cli study stability";
+    if (!options.only.empty()) command += fmt::format(" --only {}", fmt::join(options.only, ","));
+    if (options.quick) command += " --quick";
+    return options.out.empty() ? command : command + " --out " + options.out;
+}
+
+/// Table, records and the map with its picture. False where gnuplot did not draw it.
+Result<bool> written(const CasesOptions& options, const Findings& all, const std::vector<NotRun>& notRun) {
+    const std::filesystem::path folder(options.out);
+    const study::Circumstances circumstances = circumstancesOf(commandOf(options));
+    std::string lines;
+    for (const Json& record : recordsOf(all.rows, all.map, notRun, circumstances)) lines += toLine(record) + '\n';
+    if (auto done = writeFileAtomically(folder / "results.jsonl", lines); !done) return tl::unexpected(done.error());
+    if (auto done = writeFileAtomically(folder / "report.md",
+                                        stabilityText(all.rows, notRun, !all.map.empty(), circumstances));
+        !done)
+        return tl::unexpected(done.error());
+    if (all.map.empty()) return true;
+    const auto script = folder / "stiffness-map.gp";
+    if (auto done = writeFileAtomically(script, mapScript(all.map)); !done) return tl::unexpected(done.error());
+    return drawn(script);
+}
+
+Result<Findings> run(const CasesOptions& options, std::stop_token stop) {
+    const auto chosen = chosenOf(options.only);
+    if (!chosen) return tl::unexpected(chosen.error());
+    if (!options.out.empty())
+        if (auto made = madeFolder(options.out); !made) return tl::unexpected(made.error());
+    Findings all;
+    for (const Case& one : chosen->cases) {
+        if (stop.stop_requested()) return fail(ErrorCode::cancelled, "It was stopped.");
+        Findings found = one.run({options.quick});
+        for (const Row& row : found.rows) fmt::print("{}\n", lineOf(row));
+        std::fflush(stdout);
+        all.rows.insert(all.rows.end(), found.rows.begin(), found.rows.end());
+        all.map.insert(all.map.end(), found.map.begin(), found.map.end());
+    }
+    for (const NotRun& one : chosen->notRun)
+        fmt::print("{:<4} {}: not run. {}\n", one.number, one.title, one.reason);
+    fmt::print("{}\n", summaryOf(all.rows, chosen->notRun));
+    if (options.out.empty()) return all;
+    const auto pictures = written(options, all, chosen->notRun);
+    if (!pictures) return tl::unexpected(pictures.error());
+    fmt::print("{}/report.md{}\n", options.out, *pictures ? "" : withoutPictures);
+    return all;
+}
+
+} // namespace
+
+int studyStability(const CasesOptions& options, std::stop_token stop) {
+    const auto all = run(options, stop);
+    if (all) return std::ranges::count(all->rows, Verdict::fail, &Row::verdict) == 0 ? done : goalMissed;
+    printError(all.error());
+    return inputWrong;
+}
+
+} // namespace toile::batch

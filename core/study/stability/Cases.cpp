@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/stability/Cases.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace toile::study::stability {
+
+std::string_view nameOf(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::pass: return "PASS";
+    case Verdict::passWithWarning: return "PASS-WARN";
+    case Verdict::refused: return "REFUSED";
+    case Verdict::fail: break;
+    }
+    return "FAIL";
+}
+
+std::vector<Case> allCases() {
+    std::vector<Case> all;
+    for (const auto& chapter :
+         {stiffnessCases, degenerateCases, loadCases, contactCases, sewingCases, enduranceCases})
+        for (const Case& one : chapter()) all.push_back(one);
+    std::ranges::stable_sort(all, {}, [](const Case& one) { return std::stoi(std::string(one.number.substr(1))); });
+    return all;
+}
+
+std::vector<NotRun> casesNotRun() {
+    constexpr std::string_view notBuilt = "It is not built yet.";
+    return {
+        {"S18", "regions of 1 : 64", notBuilt},
+        {"S19", "a million cells", "Minutes and gigabytes: ./dev bench measures meshes of that size."},
+        {"S20", "every number of a file mutated", notBuilt},
+        {"S27", "a hand that drags 10 m in a frame", "The hand that drags cloth is being built."},
+        {"S30", "petticoat of three layers", notBuilt},
+        {"S32", "knife pleats", "Pleats cannot be drawn yet."},
+        {"S34", "strap of 5 mm carrying a skirt", notBuilt},
+        {"S35", "arms lifted in 0.3 s", "Bodies do not move yet."},
+        {"S36", "body 10 or 0.1 times too big", "Bodies are judged when they are read, which is not this room's work: tests/io/tst_BodyImport."},
+        {"S37", "cloth knotted between arm and torso", "Bodies do not move yet."},
+        {"S38", "one garment at 30, 10 and 3 mm", notBuilt},
+    };
+}
+
+Row judged(std::string number, std::string what, const Watched& run, dynamics::Method method) {
+    Row row{std::move(number), std::move(what), run.metrics, Verdict::pass, {}};
+    const double growth = run.metrics.energyGrowth.value_or(0);
+    if (!run.stopped.empty()) {
+        row.verdict = Verdict::fail;
+        row.why = run.stopped;
+    } else if (!(growth <= allowedGrowth(method))) {
+        row.verdict = Verdict::fail;
+        row.why = fmt::format("Energy grew by {:.2g} of what was turned over.", growth);
+    } else if (!run.solved) {
+        row.verdict = Verdict::passWithWarning;
+        row.why = "A part of a step was taken unsolved, with the flag for it.";
+    }
+    return row;
+}
+
+Row mustBeRefused(std::string number, std::string what, const std::string& sentence) {
+    if (sentence.empty()) return {std::move(number), std::move(what), {}, Verdict::fail, "It was not refused."};
+    return {std::move(number), std::move(what), {}, Verdict::refused, sentence};
+}
+
+Row tested(std::string number, std::string what, bool passes, std::string why, Metrics metrics) {
+    return {std::move(number), std::move(what), std::move(metrics), passes ? Verdict::pass : Verdict::fail,
+            passes ? "" : std::move(why)};
+}
+
+} // namespace toile::study::stability
