@@ -50,8 +50,8 @@ Result<bool> written(const CasesOptions& options, const Findings& all, const std
     std::string lines;
     for (const Json& record : recordsOf(all.rows, all.map, notRun, circumstances)) lines += toLine(record) + '\n';
     if (auto done = writeFileAtomically(folder / "results.jsonl", lines); !done) return tl::unexpected(done.error());
-    if (auto done = writeFileAtomically(folder / "report.md",
-                                        stabilityText(all.rows, notRun, !all.map.empty(), circumstances));
+    if (auto done =
+            writeFileAtomically(folder / "report.md", stabilityText(all.rows, notRun, !all.map.empty(), circumstances));
         !done)
         return tl::unexpected(done.error());
     if (all.map.empty()) return true;
@@ -74,8 +74,7 @@ Result<Findings> run(const CasesOptions& options, std::stop_token stop) {
         all.rows.insert(all.rows.end(), found.rows.begin(), found.rows.end());
         all.map.insert(all.map.end(), found.map.begin(), found.map.end());
     }
-    for (const NotRun& one : chosen->notRun)
-        fmt::print("{:<4} {}: not run. {}\n", one.number, one.title, one.reason);
+    for (const NotRun& one : chosen->notRun) fmt::print("{:<4} {}: not run. {}\n", one.number, one.title, one.reason);
     fmt::print("{}\n", summaryOf(all.rows, chosen->notRun));
     if (options.out.empty()) return all;
     const auto pictures = written(options, all, chosen->notRun);

@@ -18,8 +18,7 @@ std::string_view nameOf(Verdict verdict) {
 
 std::vector<Case> allCases() {
     std::vector<Case> all;
-    for (const auto& chapter :
-         {stiffnessCases, degenerateCases, loadCases, contactCases, sewingCases, enduranceCases})
+    for (const auto& chapter : {stiffnessCases, degenerateCases, loadCases, contactCases, sewingCases, enduranceCases})
         for (const Case& one : chapter()) all.push_back(one);
     std::ranges::stable_sort(all, {}, [](const Case& one) { return std::stoi(std::string(one.number.substr(1))); });
     return all;
@@ -36,7 +35,8 @@ std::vector<NotRun> casesNotRun() {
         {"S32", "knife pleats", "Pleats cannot be drawn yet."},
         {"S34", "strap of 5 mm carrying a skirt", notBuilt},
         {"S35", "arms lifted in 0.3 s", "Bodies do not move yet."},
-        {"S36", "body 10 or 0.1 times too big", "Bodies are judged when they are read, which is not this room's work: tests/io/tst_BodyImport."},
+        {"S36", "body 10 or 0.1 times too big",
+         "Bodies are judged when they are read, which is not this room's work: tests/io/tst_BodyImport."},
         {"S37", "cloth knotted between arm and torso", "Bodies do not move yet."},
         {"S38", "one garment at 30, 10 and 3 mm", notBuilt},
     };

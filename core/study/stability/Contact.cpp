@@ -74,16 +74,15 @@ Findings s12Fast(const Effort&) {
         auto contact = contactWith(slab, sheet.model);
         dynamics::Stage* stages[] = {&contact};
         Apart apart;
-        const Watched run = watched(sheet.model, sheet.state,
-                                    {.method = method,
-                                     .integrator = {.substeps = 20},
-                                     .steps = 30,
-                                     .afterStep = [&](const ParticleState& s) {
-                                         apart.distance = std::min(apart.distance, lowest(s));
-                                     }},
-                                    stages);
-        found.rows.push_back(
-            judgedApart("S12", fmt::format("sheet at 100 m/s on a body, {}", nameOf(method)), run, method, apart, true));
+        const Watched run = watched(
+            sheet.model, sheet.state,
+            {.method = method,
+             .integrator = {.substeps = 20},
+             .steps = 30,
+             .afterStep = [&](const ParticleState& s) { apart.distance = std::min(apart.distance, lowest(s)); }},
+            stages);
+        found.rows.push_back(judgedApart("S12", fmt::format("sheet at 100 m/s on a body, {}", nameOf(method)), run,
+                                         method, apart, true));
     }
     LayeredCloth layers;
     append(layers, 0.2, 10, 0.2, 10, 0.3, [](const Vec2& m) { return Vec3{m.x - 0.1, 0, 0.1 - m.y}; });
@@ -101,8 +100,7 @@ Findings s12Fast(const Effort&) {
                  .steps = 30,
                  .afterStep = [&](const ParticleState&) { apart.intersections += layers.intersections(); }},
                 stages);
-    found.rows.push_back(
-        judgedApart("S12", "sheet at 100 m/s on a held sheet, xpbd", run, Method::xpbd, apart, false));
+    found.rows.push_back(judgedApart("S12", "sheet at 100 m/s on a held sheet, xpbd", run, Method::xpbd, apart, false));
     return found;
 }
 
@@ -167,19 +165,20 @@ Findings s22Overlapping(const Effort&) {
     const int before = layers.intersections();
     dynamics::SelfContact self(layers.model, layers.surface);
     stages[0] = &self;
-    Watched uncrossed = watched(layers.model, layers.state,
-                                {.method = Method::xpbd, .integrator = {.damping = 2}, .steps = 120, .gravity = {}},
-                                stages);
+    Watched uncrossed =
+        watched(layers.model, layers.state,
+                {.method = Method::xpbd, .integrator = {.damping = 2}, .steps = 120, .gravity = {}}, stages);
     uncrossed.metrics.energyGrowth.reset();
     const int after = layers.intersections();
-    row = judged("S22",
-                 fmt::format("a sheet 15 mm through another: {} intersections, {} after 2 s, xpbd", before, after),
-                 uncrossed, Method::xpbd);
+    row =
+        judged("S22", fmt::format("a sheet 15 mm through another: {} intersections, {} after 2 s, xpbd", before, after),
+               uncrossed, Method::xpbd);
     if (row.verdict == Verdict::pass && *uncrossed.metrics.speed > thrown)
         row = tested(row.number, row.what, false, "It is thrown out.", row.metrics);
     else if (row.verdict == Verdict::pass && after > 0) {
         row.verdict = self.guaranteed() ? Verdict::fail : Verdict::passWithWarning;
-        row.why = self.guaranteed() ? "They still cross, and the guarantee is given." : "They still cross: no guarantee.";
+        row.why =
+            self.guaranteed() ? "They still cross, and the guarantee is given." : "They still cross: no guarantee.";
     }
     found.rows.push_back(std::move(row));
     return found;
@@ -191,8 +190,9 @@ Findings s28Pressed(const Effort& effort) {
     LayeredCloth pile;
     int top = 0;
     for (int layer = 0; layer < layers; ++layer) {
-        top = append(pile, 0.05, 4, 0.05, 4, 0.3,
-                     [&](const Vec2& m) { return Vec3{m.x, 1.2 * layerThickness * layer, m.y}; });
+        top = append(pile, 0.05, 4, 0.05, 4, 0.3, [&](const Vec2& m) {
+            return Vec3{m.x, 1.2 * layerThickness * layer, m.y};
+        });
         if (layer == 0)
             for (int p = 0; p < pile.model.particleCount(); ++p) pile.model.pinned.push_back(p);
     }
@@ -200,20 +200,21 @@ Findings s28Pressed(const Effort& effort) {
     dynamics::SelfContact contact(pile.model, pile.surface);
     dynamics::Stage* stages[] = {&contact};
     Apart apart;
-    const Watched run = watched(pile.model, pile.state,
-                                {.method = Method::xpbd,
-                                 .integrator = {.damping = 2, .substeps = 20},
-                                 .steps = effort.quick ? 30 : 60,
-                                 .timeLimit = 120,
-                                 .afterStep = [&](const ParticleState&) { apart.intersections += pile.intersections(); }},
-                                stages);
+    const Watched run =
+        watched(pile.model, pile.state,
+                {.method = Method::xpbd,
+                 .integrator = {.damping = 2, .substeps = 20},
+                 .steps = effort.quick ? 30 : 60,
+                 .timeLimit = 120,
+                 .afterStep = [&](const ParticleState&) { apart.intersections += pile.intersections(); }},
+                stages);
     const int perLayer = static_cast<int>(pile.surface.triangles.size()) / layers;
     const std::span triangles(pile.surface.triangles);
     for (int layer = 1; layer < layers; ++layer)
-        apart.distance = std::min(apart.distance,
-                                  validation::leastDistance(pile.state.positions,
-                                                            triangles.subspan((layer - 1) * perLayer, perLayer),
-                                                            triangles.subspan(layer * perLayer, perLayer)));
+        apart.distance =
+            std::min(apart.distance, validation::leastDistance(pile.state.positions,
+                                                               triangles.subspan((layer - 1) * perLayer, perLayer),
+                                                               triangles.subspan(layer * perLayer, perLayer)));
     return {{judgedApart("S28", fmt::format("{} layers pressed by a hundred more, xpbd", layers), run, Method::xpbd,
                          apart, true)},
             {}};

@@ -59,15 +59,15 @@ Findings s6InOnePlace(const Effort&) {
     Findings found;
     for (const Method method : {Method::xpbd, Method::trBdf2, Method::symplecticEuler}) {
         Pair pair(0.1, 0);
-        const Watched run = watched(pair.model, pair.state,
-                                    {.method = method, .integrator = {.damping = 2}, .gravity = weightless});
-        Row row = judged("S6", fmt::format("both ends of a spring of 0.1 m in one place, {}", nameOf(method)), run,
-                         method);
+        const Watched run =
+            watched(pair.model, pair.state, {.method = method, .integrator = {.damping = 2}, .gravity = weightless});
+        Row row =
+            judged("S6", fmt::format("both ends of a spring of 0.1 m in one place, {}", nameOf(method)), run, method);
         if (row.verdict == Verdict::pass && pair.distance() < 0.05)
-            row = tested(row.number, row.what, false,
-                         fmt::format("They stay {:.2g} m apart: a spring without a direction does not push.",
-                                     pair.distance()),
-                         row.metrics);
+            row = tested(
+                row.number, row.what, false,
+                fmt::format("They stay {:.2g} m apart: a spring without a direction does not push.", pair.distance()),
+                row.metrics);
         found.rows.push_back(std::move(row));
     }
     return found;
@@ -145,10 +145,10 @@ Findings s9TooSmall(const Effort&) {
     const auto line = sceneOf(polygonPiece("line", {{0, 0}, {0.1, 0}, {0.2, 0}}, 0.02));
     const auto problems = pattern::checkPattern(line.pattern);
     const auto problem = std::ranges::find_if(problems, &pattern::Problem::isError);
-    found.rows.push_back(
-        mustBeRefused("S9", "piece without area", problem == problems.end() ? "" : problem->text));
+    found.rows.push_back(mustBeRefused("S9", "piece without area", problem == problems.end() ? "" : problem->text));
     found.rows.push_back(advanced("S9", "piece of one cell, a second",
-                                  sceneOf(polygonPiece("cell", {{0, 0}, {0.02, 0}, {0.02, 0.02}, {0, 0.02}}, 0.02)), 60));
+                                  sceneOf(polygonPiece("cell", {{0, 0}, {0.02, 0}, {0.02, 0.02}, {0, 0.02}}, 0.02)),
+                                  60));
     for (const Method method : {Method::xpbd, Method::trBdf2, Method::symplecticEuler}) {
         ClothModel model;
         model.mass = {0.01};
@@ -182,7 +182,7 @@ Findings s21NoStep(const Effort&) {
 } // namespace
 
 std::vector<Case> degenerateCases() {
-    return {{"S4", "no mass", s4NoMass},       {"S5", "no length", s5NoLength}, {"S6", "in one place", s6InOnePlace},
+    return {{"S4", "no mass", s4NoMass},        {"S5", "no length", s5NoLength}, {"S6", "in one place", s6InOnePlace},
             {"S7", "no order", s7WithoutOrder}, {"S8", "slivers", s8Slivers},    {"S9", "too small", s9TooSmall},
             {"S21", "no step", s21NoStep}};
 }

@@ -28,8 +28,8 @@ Findings s23AtRest(const Effort& effort) {
     for (const Method method : {Method::trBdf2, Method::symplecticEuler, Method::xpbd}) {
         Scene scene = *sceneNamed("two-corners", {4, 1});
         ParticleState state = scene.start;
-        const auto rest =
-            dynamics::solveStatic(scene.model, state, scene.gravity, {}, {.tolerance = 1e-9, .maximumIterations = 3000});
+        const auto rest = dynamics::solveStatic(scene.model, state, scene.gravity, {},
+                                                {.tolerance = 1e-9, .maximumIterations = 3000});
         if (!rest) {
             found.rows.push_back(tested("S23", "statics of a hanging sheet", false, rest.error().text));
             continue;
@@ -49,7 +49,8 @@ Findings s23AtRest(const Effort& effort) {
         Row row = judged("S23", fmt::format("{} steps at rest, {}: drift {:.2g} m", run.steps, nameOf(method), drift),
                          run, method);
         row.metrics.energyGrowth.reset(); // nothing is turned over
-        if (run.stopped.empty() && run.solved) row = tested(row.number, row.what, drift <= 1e-6, "More than 1e-6 m.", row.metrics);
+        if (run.stopped.empty() && run.solved)
+            row = tested(row.number, row.what, drift <= 1e-6, "More than 1e-6 m.", row.metrics);
         found.rows.push_back(std::move(row));
     }
     return found;
@@ -61,7 +62,8 @@ Findings s26Again(const Effort&) {
         std::vector<Vec3> ends[2];
         for (auto& end : ends) {
             Scene scene = *sceneNamed("flap", {8, 100});
-            static_cast<void>(watched(scene.model, scene.start, {.method = method, .integrator = {.substeps = 20}, .steps = 12}));
+            static_cast<void>(
+                watched(scene.model, scene.start, {.method = method, .integrator = {.substeps = 20}, .steps = 12}));
             end = scene.start.positions;
         }
         found.rows.push_back(tested("S26", fmt::format("the same bits twice, {}", nameOf(method)),

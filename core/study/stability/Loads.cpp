@@ -60,8 +60,8 @@ Settled settled(const ClothModel& model, ParticleState& state, const Vec3& gravi
     out.report = *rest;
     out.metrics.residual = rest->newton.residual;
     if (!rest->newton.converged)
-        out.error = fmt::format("The residual is {:.2g} after {} iterations.", rest->newton.residual,
-                                rest->newton.iterations);
+        out.error =
+            fmt::format("The residual is {:.2g} after {} iterations.", rest->newton.residual, rest->newton.iterations);
     double strain = 0;
     for (const cloth::Spring& s : model.structural)
         strain = std::max(strain, geometry::distance(state.positions[s.a], state.positions[s.b]) / s.restLength - 1);
@@ -76,9 +76,8 @@ Findings s10Squeezed(const Effort&) {
         const Settled rest = settled(sheet.model, sheet.state, {});
         double height = 0;
         for (const Vec3& x : sheet.state.positions) height = std::max(height, std::abs(x.z));
-        const auto projected = rest.report ? std::ranges::count_if(rest.report->newton.log,
-                                                                   &dynamics::MinimiserIteration::projected)
-                                           : 0;
+        const auto projected =
+            rest.report ? std::ranges::count_if(rest.report->newton.log, &dynamics::MinimiserIteration::projected) : 0;
         found.rows.push_back(tested(
             "S10",
             fmt::format("sheet squeezed to a half, {}: statics, {} of {} iterations projected, {:.0f} mm out of plane",
@@ -117,17 +116,15 @@ Findings s13Pins(const Effort&) {
     Findings found;
     auto scene = validation::twoSquares();
     for (const char* id : {"one", "other"})
-        scene.pattern.pins.push_back(
-            {pattern::PinId(id), pattern::PieceId("left"), pattern::VertexId("v0")});
+        scene.pattern.pins.push_back({pattern::PinId(id), pattern::PieceId("left"), pattern::VertexId("v0")});
     const auto problems = pattern::checkPattern(scene.pattern);
     const auto problem = std::ranges::find_if(problems, &pattern::Problem::isError);
-    found.rows.push_back(
-        mustBeRefused("S13", "two pins on one point", problem == problems.end() ? "" : problem->text));
+    found.rows.push_back(mustBeRefused("S13", "two pins on one point", problem == problems.end() ? "" : problem->text));
     for (const Method method : {Method::trBdf2, Method::xpbd}) {
         HeldSheet sheet(3);
-        found.rows.push_back(
-            judged("S13", fmt::format("pins that pull a sheet to three times its width, {}", nameOf(method)),
-                   watched(sheet.model, sheet.state, {.method = method, .steps = 30}), method));
+        found.rows.push_back(judged("S13",
+                                    fmt::format("pins that pull a sheet to three times its width, {}", nameOf(method)),
+                                    watched(sheet.model, sheet.state, {.method = method, .steps = 30}), method));
     }
     HeldSheet sheet(3);
     const Settled rest = settled(sheet.model, sheet.state, downward);
@@ -156,13 +153,13 @@ Findings s25NoStiffness(const Effort&) {
             continue;
         }
         model.pinned = {72, 80}; // two corners
-        ParticleState start; // level
+        ParticleState start;     // level
         for (const Vec2& m : patch.material) start.positions.push_back({m.x, 0, m.y});
         ParticleState state = start;
         found.rows.push_back(judged("S25", what + ", TR-BDF2", watched(model, state, {.steps = 30}), Method::trBdf2));
         state = start;
-        found.rows.push_back(judged("S25", what + ", XPBD", watched(model, state, {.method = Method::xpbd, .steps = 30}),
-                                    Method::xpbd));
+        found.rows.push_back(
+            judged("S25", what + ", XPBD", watched(model, state, {.method = Method::xpbd, .steps = 30}), Method::xpbd));
         state = start;
         const Settled rest = settled(model, state, downward);
         found.rows.push_back(tested("S25", what + ", statics", rest.error.empty(), rest.error, rest.metrics));

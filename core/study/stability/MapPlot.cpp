@@ -66,12 +66,15 @@ std::string mapScript(const std::vector<MapCell>& cells) {
         const auto decade = [](const MapCell& cell) {
             return std::clamp(std::log10(std::max(cell.error, 1e-30)), bestShown, worstShown);
         };
-        block(fmt::format("error{}", m), [&](const MapCell& c) { return isOf(c) && c.bounded && std::isfinite(c.error); },
-              decade);
-        block(fmt::format("soft{}", m), [&](const MapCell& c) { return isOf(c) && c.bounded && c.softened < 0.99; },
-              [](const MapCell&) { return 0; });
-        block(fmt::format("mark{}", m), [&](const MapCell& c) { return isOf(c) && !markOf(c).empty(); },
-              [](const MapCell& c) { return "\"" + markOf(c) + "\""; });
+        block(
+            fmt::format("error{}", m), [&](const MapCell& c) { return isOf(c) && c.bounded && std::isfinite(c.error); },
+            decade);
+        block(
+            fmt::format("soft{}", m), [&](const MapCell& c) { return isOf(c) && c.bounded && c.softened < 0.99; },
+            [](const MapCell&) { return 0; });
+        block(
+            fmt::format("mark{}", m), [&](const MapCell& c) { return isOf(c) && !markOf(c).empty(); },
+            [](const MapCell& c) { return "\"" + markOf(c) + "\""; });
     }
     fmt::format_to(out,
                    "set terminal svg size 1500,{} dynamic background rgb 'white' font 'DejaVu Sans,12'\n"
@@ -86,11 +89,12 @@ std::string mapScript(const std::vector<MapCell>& cells) {
                    ticsOf(steps, stepText), ticsOf(stiffnesses, [](double k) { return fmt::format("{:.0e}", k); }));
     for (std::size_t m = 0; m < methods.size(); ++m) {
         fmt::format_to(out, "set title '{}'\n{}", methods[m].name, m + 1 == methods.size() ? "set colorbox\n" : "");
-        fmt::format_to(out,
-                       "plot $error{0} using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder linecolor palette, \\\n"
-                       "  $soft{0} using 1:2:3:4:5:6 with boxxyerror fillstyle transparent pattern 4 noborder linecolor "
-                       "rgb '#555555', \\\n  $mark{0} using 1:2:7 with labels font ',8'\n",
-                       m);
+        fmt::format_to(
+            out,
+            "plot $error{0} using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder linecolor palette, \\\n"
+            "  $soft{0} using 1:2:3:4:5:6 with boxxyerror fillstyle transparent pattern 4 noborder linecolor "
+            "rgb '#555555', \\\n  $mark{0} using 1:2:7 with labels font ',8'\n",
+            m);
         if (m == 0) text += "unset ylabel\n";
     }
     text += "unset multiplot\n";

@@ -57,23 +57,25 @@ std::string stabilityText(const std::vector<Row>& rows, const std::vector<NotRun
     fmt::format_to(
         out,
         "# Stability\n\n`{}`, {}, {}.\n\n**{}**\n\nEnergy: the most that the total rose above its start, in % of what "
-        "was turned over between its forms; 0.1 % is allowed to backward Euler, 1 % to the others; symplectic Euler's swings by up to 500 %. Residual: over the "
+        "was turned over between its forms; 0.1 % is allowed to backward Euler, 1 % to the others; symplectic Euler's "
+        "swings by up to 500 %. Residual: over the "
         "mean weight of a particle. Distance: the least of what is to be kept apart. A verdict of REFUSED stands only "
         "where a refusal is right.\n\n"
-        "| case | what | energy % | speed m/s | strain % | residual | Newton a step | distance mm | CPU s | verdict | |\n"
+        "| case | what | energy % | speed m/s | strain % | residual | Newton a step | distance mm | CPU s | verdict | "
+        "|\n"
         "|---|---|---|---|---|---|---|---|---|---|---|\n",
         circumstances.command, circumstances.program, circumstances.processor, summaryOf(rows, notRun));
     for (const Row& row : rows)
         fmt::format_to(out, "| {} | {} | {} | {} | {} | {} | {} | {} | {:.2g} | {} | {} |\n", row.number, row.what,
                        textOf(row.metrics.energyGrowth, 100), textOf(row.metrics.speed),
-                       textOf(row.metrics.strain, 100), textOf(row.metrics.residual),
-                       textOf(row.metrics.newtonPerStep), textOf(row.metrics.distance, 1000), row.metrics.seconds,
-                       nameOf(row.verdict), row.why);
+                       textOf(row.metrics.strain, 100), textOf(row.metrics.residual), textOf(row.metrics.newtonPerStep),
+                       textOf(row.metrics.distance, 1000), row.metrics.seconds, nameOf(row.verdict), row.why);
     for (const NotRun& one : notRun)
         fmt::format_to(out, "| {} | {} | | | | | | | | not run | {} |\n", one.number, one.title, one.reason);
     if (withMap)
-        text += "\nThe map of S1. A cell's colour is the error; hatched: the cap of position-based dynamics used springs "
-                "softer than the cloth's, by the factor written there.\n\n![stiffness against step](stiffness-map.svg)\n";
+        text +=
+            "\nThe map of S1. A cell's colour is the error; hatched: the cap of position-based dynamics used springs "
+            "softer than the cloth's, by the factor written there.\n\n![stiffness against step](stiffness-map.svg)\n";
     return text;
 }
 

@@ -90,15 +90,15 @@ Findings s31Gathers(const Effort& effort) {
     double least = 1, most = 0;
     const auto& pairs = garment.mesh->seams[0].pairs;
     for (std::size_t i = 1; i < pairs.size(); ++i) {
-        const double apart = geometry::distance(
-            run.simulation->state().positions[garment.particles.particle(pairs[i - 1][0])],
-            run.simulation->state().positions[garment.particles.particle(pairs[i][0])]);
+        const double apart =
+            geometry::distance(run.simulation->state().positions[garment.particles.particle(pairs[i - 1][0])],
+                               run.simulation->state().positions[garment.particles.particle(pairs[i][0])]);
         least = std::min(least, apart);
         most = std::max(most, apart);
     }
-    found.rows.push_back(tested("S31", fmt::format("the same: longest over shortest way between stitches {:.2f}",
-                                                   most / least),
-                                most / least < 3, "The fullness is not even.", run.metrics));
+    found.rows.push_back(
+        tested("S31", fmt::format("the same: longest over shortest way between stitches {:.2f}", most / least),
+               most / least < 3, "The fullness is not even.", run.metrics));
     return found;
 }
 
@@ -174,8 +174,8 @@ Findings s17Loops(const Effort&) {
     seam.sides[1][0].reversed = false;
     band.pattern.seams.push_back(seam);
     const auto problems = pattern::checkPattern(band.pattern);
-    Row turned = tested("S17", "band sewn to itself with a half turn: it is said", !problems.empty(),
-                        "Nothing is said.");
+    Row turned =
+        tested("S17", "band sewn to itself with a half turn: it is said", !problems.empty(), "Nothing is said.");
     if (!problems.empty()) {
         turned.verdict = problems.front().isError ? Verdict::refused : Verdict::passWithWarning;
         turned.why = problems.front().text;
@@ -242,9 +242,12 @@ Findings s33HeavyAndLight(const Effort& effort) {
 } // namespace
 
 std::vector<Case> sewingCases() {
-    return {{"S15", "unequal sides", s15UnequalSides}, {"S16", "far or blocked seams", s16FarOrBlocked},
-            {"S17", "seam loops", s17Loops},           {"S29", "swimsuit", s29Swimsuit},
-            {"S31", "gathers", s31Gathers},            {"S33", "heavy and light", s33HeavyAndLight}};
+    return {{"S15", "unequal sides", s15UnequalSides},
+            {"S16", "far or blocked seams", s16FarOrBlocked},
+            {"S17", "seam loops", s17Loops},
+            {"S29", "swimsuit", s29Swimsuit},
+            {"S31", "gathers", s31Gathers},
+            {"S33", "heavy and light", s33HeavyAndLight}};
 }
 
 } // namespace toile::study::stability

@@ -37,8 +37,8 @@ Row rowOf(const MapMethod& method, const std::vector<MapCell>& map) {
         if (std::isfinite(cell.error)) worstError = std::max(worstError, cell.error);
         if (!cell.bounded && (!grown || growth(cell) > growth(*grown))) grown = &cell;
     }
-    row.what = fmt::format("{}: {} runs, {} refused; largest error {:.2g} of the way", method.name, runs, refused,
-                           worstError);
+    row.what =
+        fmt::format("{}: {} runs, {} refused; largest error {:.2g} of the way", method.name, runs, refused, worstError);
     const bool isDefault = method.stiffnessCap <= 1; // without cap growth is what the cap is there for
     if (grown) {
         row.verdict = isDefault ? Verdict::fail : Verdict::passWithWarning;
@@ -56,8 +56,7 @@ double trueFrequency(const Scene& scene) {
     const auto& model = scene.model;
     const double move = 1e-7;
     std::vector<Vec3> mode(model.mass.size());
-    for (std::size_t p = 0; p < mode.size(); ++p)
-        mode[p] = {std::sin(7.0 * p), std::cos(3.0 * p), std::sin(5.0 * p)};
+    for (std::size_t p = 0; p < mode.size(); ++p) mode[p] = {std::sin(7.0 * p), std::cos(3.0 * p), std::sin(5.0 * p)};
     for (const int p : model.pinned) mode[p] = {};
     double squared = 0;
     for (int round = 0; round < 400; ++round) {
@@ -95,10 +94,9 @@ Findings s1StiffnessAgainstStep(const Effort& effort) {
         least = std::min(least, ratio);
         most = std::max(most, ratio);
     }
-    found.rows.push_back(tested("S1",
-                                fmt::format("printed limit of explicit steps over the true one: {:.3f} to {:.3f}",
-                                            least, most),
-                                most <= 1 + 1e-6 && least > 1 / 1.5, "It should be between 1/1.5 and 1."));
+    found.rows.push_back(
+        tested("S1", fmt::format("printed limit of explicit steps over the true one: {:.3f} to {:.3f}", least, most),
+               most <= 1 + 1e-6 && least > 1 / 1.5, "It should be between 1/1.5 and 1."));
     return found;
 }
 
@@ -134,8 +132,8 @@ Findings s3MassRatio(const Effort&) {
         Scene scene = *sceneNamed("flap", {16, 100});
         scene.model.mass.back() *= ratio;
         const Watched run = watched(scene.model, scene.start, {.integrator = {.damping = 0.5}, .steps = 24});
-        Row row = judged("S3", fmt::format("a particle {:g} times as heavy, TR-BDF2 at 1/60 s", ratio), run,
-                         Method::trBdf2);
+        Row row =
+            judged("S3", fmt::format("a particle {:g} times as heavy, TR-BDF2 at 1/60 s", ratio), run, Method::trBdf2);
         const double newton = run.metrics.newtonPerStep.value_or(0);
         if (ratio == 1) plain = newton;
         else if (row.verdict == Verdict::pass && newton > 3 * plain)

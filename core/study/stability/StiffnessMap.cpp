@@ -38,10 +38,9 @@ public:
         const auto fourth = dynamics::makeIntegrator(Method::rk4, scene_.model, {.damping = scene_.damping});
         const double limit = 0.5 * fourth->stepLimit(state.positions);
         const bool affordable = time / limit < 40000;
-        const auto exact = affordable
-                               ? nullptr
-                               : dynamics::makeIntegrator(Method::trBdf2, scene_.model,
-                                                          {.damping = scene_.damping, .tolerance = 1e-8});
+        const auto exact = affordable ? nullptr
+                                      : dynamics::makeIntegrator(Method::trBdf2, scene_.model,
+                                                                 {.damping = scene_.damping, .tolerance = 1e-8});
         const int steps = affordable ? static_cast<int>(std::ceil(time / limit)) : 1500;
         for (int i = 0; i < steps; ++i)
             if (!(affordable ? fourth : exact)->step(state, time / steps, scene_.gravity)) break;

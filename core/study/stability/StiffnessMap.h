@@ -24,7 +24,7 @@ struct MapCell {
     double duration = 0;  ///< of the run: 0.4 s, or what a number of steps reaches [s]
     double stepLimit = 0; ///< of explicit methods [s]
     Watched run;
-    double error = 0;    ///< rms distance to the reference over how far the reference has moved; NaN without a run [–]
+    double error = 0; ///< rms distance to the reference over how far the reference has moved; NaN without a run [–]
     double softened = 1; ///< stiffness used over the true one, of the springs, where a cap took some away [–]
     bool bounded = true; ///< by the energy rule of the method
 };

@@ -33,11 +33,12 @@ double speedOf(const dynamics::ParticleState& state) {
 /// Rise of the total energy over the start, measured by what moved between its forms.
 class EnergyWatch {
 public:
-    EnergyWatch(const Energies& start, double mass) : start_(start), scale_(std::max(start.kinetic + start.elastic, mass * still * still)) {}
+    EnergyWatch(const Energies& start, double mass)
+        : start_(start), scale_(std::max(start.kinetic + start.elastic, mass * still * still)) {}
     void look(const Energies& now) {
         rise_ = std::max(rise_, now.total() - start_.total());
-        scale_ = std::max({scale_, now.kinetic, std::abs(now.gravity - start_.gravity),
-                           std::abs(now.elastic - start_.elastic)});
+        scale_ = std::max(
+            {scale_, now.kinetic, std::abs(now.gravity - start_.gravity), std::abs(now.elastic - start_.elastic)});
     }
     [[nodiscard]] double growth() const { return rise_ / scale_; }
 

@@ -30,7 +30,7 @@ struct WatchSettings {
     double step = 1.0 / 60; ///< [s]
     int steps = 60;
     Vec3 gravity{0, -9.81, 0};
-    double timeLimit = 60; ///< of this thread's processor time [s]
+    double timeLimit = 60;                                        ///< of this thread's processor time [s]
     std::function<void(dynamics::ParticleState&)> afterStep = {}; ///< looks, or moves what is held
 };
 

@@ -39,5 +39,7 @@ struct NotOffered {
 [[nodiscard]] std::vector<Case> sewingCases();
 [[nodiscard]] std::vector<Case> wrappingCases();
 [[nodiscard]] std::vector<Case> impactCases();
+[[nodiscard]] std::vector<Case> loopCases();
+[[nodiscard]] std::vector<Case> drapeCases();
 
 } // namespace toile::study::validation

@@ -3,14 +3,14 @@
 
 #include "core/simulation/Scene.h"
 
-#include <initializer_list>
 #include <string>
+#include <vector>
 
 /// Small patterns.
 namespace toile::study::validation {
 
 /// A piece with straight edges; vertices v0…, edges e0… from v0 to v1 and so on.
-inline pattern::Piece polygonPiece(const std::string& id, std::initializer_list<Vec2> corners, double spacing) {
+inline pattern::Piece polygonPiece(const std::string& id, const std::vector<Vec2>& corners, double spacing) {
     pattern::Piece piece;
     piece.id = pattern::PieceId(id);
     piece.name = id;

@@ -10,6 +10,7 @@
 #include "core/study/validation/Sheets.h"
 #include "core/study/validation/Tube.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -138,6 +139,52 @@ void v23ClosedTubeIsRound(Findings& found) {
                  cloth::elasticEnergy(tube->garment.model, tube->state.positions).bending, 0.01);
 }
 
+/// How far the particles of a piece lie from their common plane, root mean square [m].
+double unevenness(const Simulation& simulation, int piece) {
+    const auto& map = simulation.garment().particles;
+    const int first = map.firstNode[piece], last = piece + 1 < std::ssize(map.firstNode)
+                                                       ? map.firstNode[piece + 1]
+                                                       : static_cast<int>(map.particleOf.size());
+    Eigen::MatrixXd points(last - first, 3);
+    for (int node = first; node < last; ++node) {
+        const Vec3& x = simulation.state().positions[map.particleOf[node]];
+        points.row(node - first) << x.x, x.y, x.z;
+    }
+    points.rowwise() -= points.colwise().mean().eval();
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(points);
+    return svd.singularValues()[2] / std::sqrt(last - first);
+}
+
+/// A side of 103 mm sewn to one of 100 mm.
+void v34SeamEase(Findings& found) {
+    simulation::Scene scene = twoSquares();
+    const double sides[] = {0.103, 0.1};
+    for (const int index : {0, 1}) {
+        pattern::Piece piece = polygonPiece(index == 0 ? "left" : "right",
+                                            {{0, 0}, {0.06, 0}, {0.06, sides[index]}, {0, sides[index]}}, 0.005);
+        piece.placement = scene.pattern.pieces[index]->placement;
+        piece.placement->transform.origin = {index == 0 ? -0.07 : 0.01, 1, index == 0 ? 0.01 : 0};
+        piece.placement->curl = pattern::Curl{.axis = {1, 0}, .radius = index == 0 ? 0.5 : 1e3}; // a hint of fullness
+        scene.pattern.pieces[index] = Shared<pattern::Piece>(std::move(piece));
+    }
+    scene.pattern.seams[0].sections = {{.ease = 0.003}};
+    auto simulation = Simulation::create(scene);
+    if (!found.ran(simulation)) return;
+    for (int frame = 0; frame < 240 && !found.stopped(); ++frame) found.ran(simulation->advance());
+    if (!simulation->allSeamsMerged()) return found.stop("The seam did not close within 4 s.");
+    const auto rest = simulation->settle({});
+    if (found.ran(rest) && !rest->newton.converged) return found.stop("It did not come to rest.");
+    const auto& garment = simulation->garment();
+    const auto& pairs = garment.mesh->seams[0].pairs;
+    double way = 0;
+    for (std::size_t i = 1; i < pairs.size(); ++i)
+        way += geometry::distance(simulation->state().positions[garment.particles.particle(pairs[i - 1][0])],
+                                  simulation->state().positions[garment.particles.particle(pairs[i][0])]);
+    found.within("103 mm eased into 100 mm: length of the seam [m]", 0.1, way, 0.005);
+    found.atMost("the same: unevenness of the shorter side over the eased one", 0.5,
+                 unevenness(*simulation, 1) / unevenness(*simulation, 0));
+}
+
 } // namespace
 
 std::vector<Case> sewingCases() {
@@ -146,6 +193,11 @@ std::vector<Case> sewingCases() {
         {"V21", theme, "seam closing", v21TwoSquaresAreSewn},
         {"V22", theme, "seam force accounting", v22WorkOfASeam},
         {"V23", theme, "closed tube", v23ClosedTubeIsRound},
+        {"V34", theme, "seam ease", v34SeamEase,
+         "Cloth is as stiff against being pressed together as against being stretched, and both sides of a seam are "
+         "one "
+         "row of particles: they meet half way. The little waves between stitches, which make eased cloth give way, "
+         "are finer than a mesh."},
     };
 }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/validation/ThemeTest.h"
+
+using namespace toile::study::validation;
+
+class tst_LoopCases : public QObject {
+    Q_OBJECT
+private slots:
+    void passes_data() { addRowsFor(loopCases()); }
+    void passes() { checkRow(loopCases()); }
+};
+
+QTEST_APPLESS_MAIN(tst_LoopCases)
+#include "tst_LoopCases.moc"
