@@ -15,6 +15,7 @@ namespace toile::simulation {
 namespace {
 
 constexpr double restingSpeed = 0.005; // [m/s]
+constexpr double longEnough = 0.5;     ///< that slow, for a garment to be at rest [s]
 constexpr MergeRule mergeRule;
 constexpr DressingSettings dressing;
 /// Of the methods that adapt their step: RMS error of a part [m].
@@ -27,6 +28,8 @@ constexpr int calming = 2;
 constexpr double handDamping = 5;
 /// The least of a frame step while they do: in few substeps cloth is soft, and a hand stretches it like rubber.
 constexpr int handSubsteps = 40;
+/// Of a garment that lay and goes on after an edit, until it lies again [1/s].
+constexpr double editDamping = 12;
 /// A seam that is still open this long after its ramp ended is given up, so that the next order may begin [s].
 constexpr double patience = 2.0;
 
@@ -150,6 +153,7 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) 
     after.state_.time = before.state_.time;
     after.steps_ = before.steps_;
     after.grips_ = before.grips_;
+    after.goesOnAsItLay_ = before.phase_ == Phase::draping || before.goesOnAsItLay_;
     after.seamStart_.assign(after.seams_.size(), -1);
     after.startDueSeams();
     after.rebuildPlan();
@@ -195,8 +199,10 @@ std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method 
 }
 
 double Simulation::damping() const {
-    if (phase_ == Phase::draping)
-        return grips_->empty() ? scene_.settings.damping : std::max(scene_.settings.damping, handDamping);
+    if (phase_ == Phase::draping) {
+        const double least = goesOnAsItLay_ ? editDamping : grips_->empty() ? 0 : handDamping;
+        return std::max(scene_.settings.damping, least);
+    }
     const bool stiffening = phase_ == Phase::shaking && state_.time < sewnTime_ + dressing.stiffeningTime;
     return phase_ == Phase::sewing || stiffening ? dressing.sewingDamping : dressing.shakingDamping;
 }
@@ -247,7 +253,7 @@ bool Simulation::givenUp(std::size_t seam) const {
 Phase Simulation::duePhase() const {
     for (std::size_t seam = 0; seam < seams_.size(); ++seam)
         if (!seams_[seam].merged && !givenUp(seam)) return Phase::sewing;
-    if (phase_ == Phase::sewing) return drapingMethod_ ? Phase::shaking : Phase::draping;
+    if (phase_ == Phase::sewing) return drapingMethod_ && !goesOnAsItLay_ ? Phase::shaking : Phase::draping;
     return state_.time > sewnTime_ + dressing.shakingTime ? Phase::draping : phase_;
 }
 
@@ -319,6 +325,7 @@ Result<void> Simulation::advance(std::stop_token stop) {
         largestSpeed_ =
             std::max(largestSpeed_, geometry::distance(before.positions[i], state_.positions[i]) / duration);
     if (const auto sewn = mergeReadySeams(); !sewn) return sewn;
+    if (!closingSeams().empty() || restingTime_ >= longEnough) goesOnAsItLay_ = false;
     goOnDressing();
     restingTime_ = largestSpeed_ < restingSpeed && phase_ == Phase::draping ? restingTime_ + duration : 0;
     stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -377,7 +384,7 @@ Frame Simulation::frame() const {
     for (const std::size_t seam : closingSeams())
         frame.largestSeamGap = std::max(frame.largestSeamGap, gapOf(seam).maximum);
     frame.largestSpeed = largestSpeed_;
-    frame.atRest = restingTime_ >= 0.5;
+    frame.atRest = restingTime_ >= longEnough;
     return frame;
 }
 

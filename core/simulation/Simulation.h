@@ -146,8 +146,9 @@ private:
     std::vector<std::vector<double>> seamGaps_; ///< of each pair when its seam began to close [m]
     std::vector<double> seamStart_;             ///< when it began [s]; negative = not yet
     Phase phase_ = Phase::sewing;
-    double sewnTime_ = 0;       ///< when the last seam was closed or given up [s]
-    double plannedDamping_ = 0; ///< that of the plan [1/s]
+    bool goesOnAsItLay_ = false; ///< after an edit of a garment that lay: dressed as long as its seams close at once
+    double sewnTime_ = 0;        ///< when the last seam was closed or given up [s]
+    double plannedDamping_ = 0;  ///< that of the plan [1/s]
     int substeps_ = 0, steps_ = 0;
     double largestSpeed_ = 0, restingTime_ = 0;
     double stepSeconds_ = 0, allSeconds_ = 0;      ///< wall time of the last frame step, of all

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WornScenes.h"
+
+using namespace toile;
+using namespace toile::simulation;
+
+namespace {
+
+constexpr double spacing = 0.02;
+
+/// Advances until the garment rests; the number of frame steps that took.
+int framesToRest(Simulation& simulation) {
+    for (int frame = 0; frame < 1200; ++frame) {
+        if (simulation.frame().atRest) return frame;
+        if (const auto done = simulation.advance(); !done) qFatal("%s", toString(done.error()).c_str());
+    }
+    return 1200;
+}
+
+Simulation simulationOf(const Scene& scene) {
+    auto made = Simulation::create(scene);
+    if (!made) qFatal("%s", toString(made.error()).c_str());
+    return std::move(*made);
+}
+
+/// Root mean square of the distances of equal nodes [m].
+double apart(const Simulation& one, const Simulation& other) {
+    const auto a = one.nodePositions(), b = other.nodePositions();
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += squaredLength(a[i] - b[i]);
+    return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+} // namespace
+
+/// A pattern is changed while the garment is worn: the drape follows at once.
+class tst_EditToDrape : public QObject {
+    Q_OBJECT
+private slots:
+    void aLongerHemLiesSoonWhereADrapeFromScratchDoes();
+    void aNewSeamIsDressedFromTheStart();
+};
+
+void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes() {
+    Scene scene = onBlouseWearer(blouseAt(spacing));
+    Simulation before = simulationOf(scene);
+    (void)framesToRest(before);
+
+    pattern::Piece front = *scene.pattern.pieces[0];
+    front.outline.vertices[0].position.y -= 0.01; // the hem at the centre front, on both halves
+    scene.pattern.pieces[0] = front;
+    auto edited = Simulation::continued(scene, before);
+    QVERIFY(edited);
+    QVERIFY(edited->advance());
+    QVERIFY(edited->allSeamsMerged()); // after one frame step
+    QVERIFY(edited->phase() == Phase::draping);
+    const int frames = framesToRest(*edited);
+    QVERIFY2(frames < 120, qPrintable(QString::number(frames))); // from scratch: more than 400
+
+    // A garment with friction has many equilibria: how far apart are two drapes from scratch?
+    Simulation scratch = simulationOf(scene);
+    (void)framesToRest(scratch);
+    scene.settings.seamTime *= 1.01;
+    Simulation perturbed = simulationOf(scene);
+    (void)framesToRest(perturbed);
+    const double spread = apart(perturbed, scratch), error = apart(*edited, scratch);
+    QVERIFY2(error < 2 * spread, qPrintable(QString("%1 mm, %2 mm").arg(error * 1000).arg(spread * 1000)));
+}
+
+void tst_EditToDrape::aNewSeamIsDressedFromTheStart() {
+    Scene scene = onBlouseWearer(blouseAt(spacing));
+    Scene open = scene;
+    open.pattern.seams.erase(open.pattern.seams.begin()); // the centre front
+    Simulation before = simulationOf(open);
+    while (before.phase() != Phase::draping) QVERIFY(before.advance());
+    auto edited = Simulation::continued(scene, before);
+    QVERIFY(edited);
+    QVERIFY(edited->advance());
+    QVERIFY(edited->phase() == Phase::sewing);
+    for (int frame = 0; frame < 120 && edited->phase() == Phase::sewing; ++frame) QVERIFY(edited->advance());
+    QVERIFY(edited->allSeamsMerged());
+    QVERIFY(edited->phase() == Phase::shaking);
+}
+
+QTEST_GUILESS_MAIN(tst_EditToDrape)
+#include "tst_EditToDrape.moc"
