@@ -3,7 +3,6 @@
 
 #include "core/base/Contracts.h"
 #include "core/collision/FirstTouch.h"
-#include "core/dynamics/Friction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +14,6 @@ namespace {
 
 /// Overlaps deeper than this are led out at the bounded speed and no faster [m].
 constexpr double deepOverlap = 0.001;
-/// Within which the normal force of the substeps is averaged [s].
-constexpr double forceMemory = 1.0 / 60;
 
 /// Gershgorin rows of what the samples add to M⁻¹K [1/s²]. Particles that have no sample of their own are
 /// carried by others; their mass is not known here.
@@ -98,7 +95,7 @@ std::size_t BodyContact::bytes() const {
 
 void BodyContact::project(Substep& substep) {
     if (pushing_) pushing_->anchors.clear();
-    const double remembered = std::exp(-substep.duration / forceMemory);
+    const ContactPace pace(substep.duration, settings_.pushOutTime, settings_.pushOutSpeed);
     // From the last to the first: particles come first in the list, and where samples between them have pushed them
     // aside their own friction must still hold them. The other way round a tight band creeps round its body.
     for (std::size_t s = samples_.size(); s-- > 0;) {
@@ -108,24 +105,23 @@ void BodyContact::project(Substep& substep) {
             sample.normalForce = 0;
             continue;
         }
-        sample.normalForce *= remembered;
+        sample.normalForce *= pace.remembered();
         const Vec3 before = at(sample, substep.previous);
         if (squaredLength(now - before) > sample.distance * sample.distance) { // could have crossed the skin
             if (const auto touch = collision::firstTouch(tracker_.body(), before, now, sample.distance)) {
-                resolve(sample, {touch->point, touch->normal}, now, before, substep);
+                resolve(sample, {touch->point, touch->normal}, now, before, pace, substep);
                 continue;
             }
         }
-        if (const auto* near = tracker_.near(s, now, sample.distance)) resolve(sample, *near, now, before, substep);
+        if (const auto* near = tracker_.near(s, now, sample.distance))
+            resolve(sample, *near, now, before, pace, substep);
     }
 }
 
 void BodyContact::resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now, const Vec3& before,
-                          Substep& substep) const {
+                          const ContactPace& pace, Substep& substep) const {
     const double start = plane.distance(before);
-    const double allowed =
-        allowedDistance(start, sample.distance, substep.duration, settings_.pushOutTime, settings_.pushOutSpeed);
-    const double lift = allowed - plane.distance(now);
+    const double lift = pace.allowedDistance(start, sample.distance) - plane.distance(now);
     const bool ledOut = sample.distance - start > deepOverlap;
     if (lift <= 0 && !ledOut) return;
 
@@ -141,7 +137,7 @@ void BodyContact::resolve(Sample& sample, const collision::TangentPlane& plane, 
         substep.positions[term.particle] += move * (term.weight * substep.inverseMass[term.particle] / mobility);
 
     const double force = std::max(lift, 0.0) / (mobility * substep.duration * substep.duration);
-    sample.normalForce -= std::expm1(-substep.duration / forceMemory) * force;
+    sample.normalForce += pace.learnt() * force;
 }
 
 ContactReport BodyContact::report(std::span<const Vec3> positions) const {

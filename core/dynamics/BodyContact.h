@@ -4,6 +4,7 @@
 #include "core/cloth/ClothModel.h"
 #include "core/collision/SmoothDistance.h"
 #include "core/collision/SurfaceTracker.h"
+#include "core/dynamics/Friction.h"
 #include "core/dynamics/Stage.h"
 
 #include <memory>
@@ -114,7 +115,7 @@ private:
         return sum;
     }
     void resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now, const Vec3& before,
-                 Substep& substep) const;
+                 const ContactPace& pace, Substep& substep) const;
     [[nodiscard]] std::optional<collision::SmoothValue> dentingAt(int sample, const Vec3& now) const;
     [[nodiscard]] Vec3 slipOf(int sample, const Vec3& now) const;
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/Friction.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace toile::dynamics {
 namespace {
+
+/// Within which normal forces are averaged [s].
+constexpr double forceMemory = 1.0 / 60;
 
 /// Second derivative of smoothLength.
 double smoothCurvature(double u, double give) {
@@ -14,12 +16,9 @@ double smoothCurvature(double u, double give) {
 
 } // namespace
 
-double allowedDistance(double before, double wanted, double duration, double pushOutTime, double pushOutSpeed) {
-    const double overlap = wanted - before;
-    if (overlap <= 0) return wanted;
-    const double eased = overlap * -std::expm1(-duration / pushOutTime);
-    return before + std::min(eased, pushOutSpeed * duration);
-}
+ContactPace::ContactPace(double duration, double pushOutTime, double pushOutSpeed)
+    : eased_(-std::expm1(-duration / pushOutTime)), most_(pushOutSpeed * duration),
+      remembered_(std::exp(-duration / forceMemory)), learnt_(-std::expm1(-duration / forceMemory)) {}
 
 double smoothLength(double u, double give) {
     return u >= give ? u : u * u / give - u * u * u / (3 * give * give) + give / 3;

@@ -3,6 +3,8 @@
 
 #include "core/geometry/Vec.h"
 
+#include <algorithm>
+
 namespace toile::dynamics {
 
 /// What body contact and self-contact share: approach by steps that do not jump, and the friction of statics.
@@ -11,10 +13,28 @@ namespace toile::dynamics {
     return v - normal * dot(v, normal);
 }
 
-/// The distance that a substep must reach when it starts at `before` and `wanted` is to be kept [m]: cloth
-/// that is too near is led out with an easing speed.
-[[nodiscard]] double allowedDistance(double before, double wanted, double duration, double pushOutTime,
-                                     double pushOutSpeed);
+/// What contact does in a substep of a given length, the same for all that touches.
+class ContactPace {
+public:
+    /// pushOutTime in which a small overlap falls to 1/e [s], pushOutSpeed at most [m/s], in substeps of the
+    /// duration [s].
+    ContactPace(double duration, double pushOutTime, double pushOutSpeed);
+
+    /// The distance that a substep must reach when it starts at `before` and `wanted` is to be kept [m]: cloth
+    /// that is too near is led out with an easing speed.
+    [[nodiscard]] double allowedDistance(double before, double wanted) const {
+        const double overlap = wanted - before;
+        return overlap <= 0 ? wanted : before + std::min(overlap * eased_, most_);
+    }
+    /// Of a mean force, what stays of that before and what comes from that of this substep [–].
+    [[nodiscard]] double remembered() const { return remembered_; }
+    [[nodiscard]] double learnt() const { return learnt_; }
+
+private:
+    double eased_; ///< share of an overlap [–]
+    double most_;  ///< [m]
+    double remembered_, learnt_;
+};
 
 /// Smoothed |u| with f'(0) = 0, equal to |u| from give on. Ref: Li et al. 2020, Incremental Potential
 /// Contact, §5.

@@ -62,6 +62,7 @@ void SelfContact::project(Substep& substep) {
 
 /// Layers that would come nearer than their thickness are lifted to it.
 void SelfContact::pushApart(Substep& substep) {
+    const ContactPace pace(substep.duration, settings_.pushOutTime, settings_.pushOutSpeed);
     touching_.clear();
     for (std::size_t i = 0; i < watches_.size(); ++i) {
         Watch& watch = watches_[i];
@@ -73,7 +74,7 @@ void SelfContact::pushApart(Substep& substep) {
         if (meetsOnTheWay(watch, contact, substep)) touching_.push_back(i);
     }
     for (int sweep = 0; sweep < settings_.sweeps; ++sweep) {
-        for (const std::size_t i : touching_) push(watches_[i], contacts_[i], substep);
+        for (const std::size_t i : touching_) push(watches_[i], contacts_[i], pace, substep);
         if (!model_.slaves.empty()) placeSlaves(substep.positions);
     }
 }
@@ -94,7 +95,7 @@ bool SelfContact::meetsOnTheWay(const Watch& watch, Contact& contact, const Subs
     return end.start < watch.target;
 }
 
-void SelfContact::push(const Watch& watch, Contact& contact, Substep& substep) const {
+void SelfContact::push(const Watch& watch, Contact& contact, const ContactPace& pace, Substep& substep) const {
     const auto& v = watch.elements.vertices;
     Vec3 way, slip;
     double mobility = 0; // [1/kg]
@@ -103,9 +104,7 @@ void SelfContact::push(const Watch& watch, Contact& contact, Substep& substep) c
         slip += contact.weights[i] * (substep.positions[v[i]] - substep.previous[v[i]]);
         mobility += contact.weights[i] * contact.weights[i] * substep.inverseMass[v[i]];
     }
-    const double allowed =
-        allowedDistance(contact.start, watch.target, substep.duration, settings_.pushOutTime, settings_.pushOutSpeed);
-    const double lift = allowed - dot(way, contact.direction);
+    const double lift = pace.allowedDistance(contact.start, watch.target) - dot(way, contact.direction);
     if (lift <= 0 || mobility == 0) return;
     Vec3 correction = contact.direction * lift;
     slip = tangential(slip, contact.direction);
@@ -114,7 +113,7 @@ void SelfContact::push(const Watch& watch, Contact& contact, Substep& substep) c
     for (int i = 0; i < 4; ++i)
         move(v[i], correction * (contact.weights[i] * substep.inverseMass[v[i]] / mobility), substep);
     const double force = lift / (mobility * substep.duration * substep.duration);
-    contact.normalForce -= std::expm1(-substep.duration / forceMemory) * (force - contact.normalForce);
+    contact.normalForce += pace.learnt() * (force - contact.normalForce);
 }
 
 /// A slave goes by moving its masters, by the least weighted motion that takes it there.

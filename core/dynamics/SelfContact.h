@@ -3,6 +3,7 @@
 
 #include "core/cloth/ClothModel.h"
 #include "core/collision/SelfProximity.h"
+#include "core/dynamics/Friction.h"
 #include "core/dynamics/Stage.h"
 
 #include <algorithm>
@@ -122,7 +123,7 @@ private:
     // SelfContact.cpp
     void pushApart(Substep& substep);
     [[nodiscard]] bool meetsOnTheWay(const Watch& watch, Contact& contact, const Substep& substep) const;
-    void push(const Watch& watch, Contact& contact, Substep& substep) const;
+    void push(const Watch& watch, Contact& contact, const ContactPace& pace, Substep& substep) const;
     void move(int particle, const Vec3& by, Substep& substep) const;
     void placeSlave(int slave, std::span<Vec3> positions) const;
     void placeSlaves(std::span<Vec3> positions) const;

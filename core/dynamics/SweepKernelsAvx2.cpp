@@ -3,7 +3,9 @@
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <cmath>
+#include <cstdint>
 #include <immintrin.h>
+#include <numbers>
 // From here on, so that nothing inline of the headers above is compiled for AVX2 and taken for all processors.
 #pragma GCC target("avx2")
 #define TOILE_AVX2

@@ -6,47 +6,262 @@
 #include "core/dynamics/SweepKernels.h"
 #include "core/dynamics/SweepLanes.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace toile::dynamics {
 namespace {
 
-constexpr double shortest = 1e-12; ///< [m]; a shorter spring has no direction of its own
-
 void sweepSprings(Place* places, std::span<const FourSprings> springs) {
+    constexpr double shortest = 1e-12; // [m]; a shorter spring has no direction of its own
     for (const FourSprings& s : springs) {
-        Four d[4], squares[4], xx, yy, zz;
+        Four a[4], b[4], d[4], squares[4];
         for (int i = 0; i < 4; ++i) {
-            d[i] = load(places[s.b[i]]) - load(places[s.a[i]]);
+            a[i] = load(places[s.a[i]]);
+            b[i] = load(places[s.b[i]]);
+            d[i] = vectorOf(b[i] - a[i]);
             squares[i] = d[i] * d[i];
         }
-        transpose(squares[0], squares[1], squares[2], squares[3], xx, yy, zz);
-        Four length = squareRoot(xx + yy + zz);
-        for (int i = 0; i < 4; ++i)
-            if (length[i] < shortest) [[unlikely]] {
-                d[i] = Four{0, shortest, 0, 0}; // any fixed direction parts two particles in one place
-                length[i] = shortest;
-            }
-        const Four excess = (length - load(s.restLength)) / length;
+        transpose(squares[0], squares[1], squares[2], squares[3]);
+        Four length = squareRoot(squares[0] + squares[1] + squares[2]);
+        if (any(length < shortest)) [[unlikely]]
+            for (int i = 0; i < 4; ++i)
+                if (length[i] < shortest) {
+                    d[i] = Four{0, shortest, 0, 0}; // any fixed direction parts two particles in one place
+                    length[i] = shortest;
+                }
+        const Four factor = load(s.share) * (length - load(s.restLength)) / length;
         for (int i = 0; i < 4; ++i) {
-            const Four change = all(excess[i]) * d[i];
-            store(places[s.a[i]], load(places[s.a[i]]) + all(s.correctionA[i]) * change);
-            store(places[s.b[i]], load(places[s.b[i]]) - all(s.correctionB[i]) * change);
+            const Four push = all(factor[i]) * d[i];
+            store(places[s.a[i]], a[i] + inverseMassOf(a[i]) * push);
+            store(places[s.b[i]], b[i] - inverseMassOf(b[i]) * push);
         }
     }
 }
 
 template <int N>
-void sweepLinear(Place* places, std::span<const Linear<N>> stencils) {
-    for (const Linear<N>& s : stencils) {
-        Four x[N], value{};
-        for (int i = 0; i < N; ++i) {
-            x[i] = load(places[s.particles[i]]);
-            value += all(s.coefficients[i]) * x[i];
+void sweepLinear(Place* places, std::span<const LinearElement<N>> elements) {
+    for (const LinearElement<N>& e : elements) {
+        Four x[N], c[N];
+        for (int i = 0; i < N; ++i) x[i] = load(places[e.particles[i]]);
+        Four value{};
+        c[N - 1] = Four{};
+        for (int i = 0; i < N - 1; ++i) {
+            c[i] = all(e.coefficients[i]);
+            c[N - 1] -= c[i];
+            value += c[i] * (x[i] - x[N - 1]);
         }
-        for (int i = 0; i < N; ++i) store(places[s.particles[i]], x[i] - all(s.corrections[i]) * value);
+        const Four push = vectorOf(all(e.share) * value);
+        for (int i = 0; i < N; ++i) store(places[e.particles[i]], x[i] - inverseMassOf(x[i]) * c[i] * push);
     }
 }
 
-constexpr SweepKernels kernels{sweepSprings, sweepLinear<3>, sweepLinear<4>};
+/// Solves (A + compliance)·λ = −values in place; only the lower half of A is read. No compliance is below the diagonal
+/// over the cap; where it is infinite, λ is 0.
+template <int N>
+TOILE_LANES void solve(Four (&a)[N][N], Four (&lambda)[N], const Four (&values)[N], const Four (&compliance)[N],
+                       double cap) {
+    Four inverse[N];
+    for (int i = 0; i < N; ++i) { // A = L D Lᵀ; above the diagonal, L·D
+        for (int j = 0; j < i; ++j) {
+            Four sum = a[i][j];
+            for (int k = 0; k < j; ++k) sum -= a[i][k] * a[k][j];
+            a[j][i] = sum;
+            a[i][j] = sum * inverse[j];
+        }
+        Four diagonal = a[i][i] + larger(compliance[i], a[i][i] / all(cap));
+        for (int k = 0; k < i; ++k) diagonal -= a[i][k] * a[k][i];
+        inverse[i] = all(1) / diagonal;
+        lambda[i] = -values[i];
+        for (int k = 0; k < i; ++k) lambda[i] -= a[i][k] * lambda[k];
+    }
+    for (int i = N - 1; i >= 0; --i) {
+        lambda[i] *= inverse[i];
+        for (int k = i + 1; k < N; ++k) lambda[i] -= a[k][i] * lambda[k];
+    }
+}
+
+/// Coupling and compliance of four elements under their strains.
+template <int N>
+struct Response {
+    Four coupling;
+    Four compliance[N];
+
+    template <class Elements>
+    TOILE_LANES Response(const Elements& e, const TensionLaw* law, int four, Four weft, Four warp) {
+        FourNumbers bentCoupling;
+        std::array<FourNumbers, N> bent;
+        if (law) {
+            bentCoupling = e.coupling;
+            bent = e.compliance;
+            law->bend(four, numbers(weft), numbers(warp), bentCoupling, bent);
+        }
+        coupling = load(law ? bentCoupling : e.coupling);
+        for (int c = 0; c < N; ++c) compliance[c] = load(law ? bent[c] : e.compliance[c]);
+    }
+};
+
+/// A symmetric 2×2 matrix.
+struct Symmetric {
+    Four xx{}, yy{}, xy{};
+};
+
+/// Strains of Biot as in cloth::Stretch. Gradients lie in the plane of the two columns f_u, f_v of the deformation
+/// gradient, so that all but the last step is done with two numbers for each: ∂C/∂f_u = 2(f_u·z.xx + f_v·z.xy),
+/// ∂C/∂f_v = 2(f_u·z.xy + f_v·z.yy).
+void sweepTriangles(Place* places, std::span<const FourTriangles> triangles, double cap, const TensionLaw* law,
+                    int first) {
+    const Four one = all(1), two = all(2), smallest = all(1e-8); // of det S: a collapsed triangle keeps finite forces
+    for (const FourTriangles& t : triangles) {
+        Corners corners[3];
+        for (int i = 0; i < 3; ++i) corners[i] = gather(places, t.particles[i]);
+        Four d[4];
+        for (int i = 0; i < 4; ++i) d[i] = load(t.inverseRest[i]);
+        const Four wu[3] = {-d[0] - d[2], d[0], d[2]}, wv[3] = {-d[1] - d[3], d[1], d[3]};
+        const Vectors p = corners[1].at - corners[0].at, q = corners[2].at - corners[0].at;
+        const Vectors fu = p * d[0] + q * d[2], fv = p * d[1] + q * d[3];
+
+        const Symmetric f{dot(fu, fu), dot(fv, fv), dot(fu, fv)}; // FᵀF
+        const Four area = squareRoot(larger(Four{}, f.xx * f.yy - f.xy * f.xy));
+        const Four determinant = larger(area, smallest);
+        const Four trace = squareRoot(larger(f.xx + f.yy + two * area, all(4) * smallest));
+        const Four perTrace = one / trace;
+        const Symmetric s{(f.xx + area) * perTrace, (f.yy + area) * perTrace, f.xy * perTrace};
+
+        const Four weft = s.xx - one, warp = s.yy - one;
+        const Response<3> response(t, law, first + static_cast<int>(&t - triangles.data()), weft, warp);
+        const Four coupling = response.coupling;
+        const Four values[3] = {weft, warp + coupling * weft, two * s.xy};
+
+        // Z with S Z + Z S = B for B = (1, 0, 0), (coupling, 1, 0) and (0, 0, 1) as xx, yy, xy
+        const Four a = trace - s.xx, b = trace - s.yy, c = -s.xy, scale = perTrace / (two * determinant);
+        const Symmetric ofWeft{scale * (determinant + a * a), scale * (c * c), scale * (a * c)};
+        const Symmetric ofWarp{scale * (c * c), scale * (determinant + b * b), scale * (c * b)};
+        const Symmetric z[3] = {
+            ofWeft,
+            {ofWarp.xx + coupling * ofWeft.xx, ofWarp.yy + coupling * ofWeft.yy, ofWarp.xy + coupling * ofWeft.xy},
+            {scale * two * (a * c), scale * two * (c * b), scale * (determinant + a * b + c * c)}};
+
+        Symmetric mobility; // Σ w·(wu, wv)(wu, wv)ᵀ over the corners
+        for (int i = 0; i < 3; ++i) {
+            const Four u = corners[i].inverseMass * wu[i], v = corners[i].inverseMass * wv[i];
+            mobility.xx += u * wu[i];
+            mobility.yy += v * wv[i];
+            mobility.xy += u * wv[i];
+        }
+        Four g[3][3], lambda[3];
+        for (int k = 0; k < 3; ++k) {
+            const Four ux = f.xx * z[k].xx + f.xy * z[k].xy, uy = f.xy * z[k].xx + f.yy * z[k].xy;
+            const Four vx = f.xx * z[k].xy + f.xy * z[k].yy, vy = f.xy * z[k].xy + f.yy * z[k].yy;
+            const Four mux = mobility.xx * ux + mobility.xy * vx, muy = mobility.xx * uy + mobility.xy * vy;
+            const Four mvx = mobility.xy * ux + mobility.yy * vx, mvy = mobility.xy * uy + mobility.yy * vy;
+            for (int l = k; l < 3; ++l)
+                g[l][k] = all(4) * (z[l].xx * mux + z[l].xy * muy + z[l].xy * mvx + z[l].yy * mvy);
+        }
+        solve<3>(g, lambda, values, response.compliance, cap);
+
+        Symmetric sum;
+        for (int k = 0; k < 3; ++k) {
+            const Four twice = two * lambda[k];
+            sum.xx += twice * z[k].xx;
+            sum.yy += twice * z[k].yy;
+            sum.xy += twice * z[k].xy;
+        }
+        const Vectors u = fu * sum.xx + fv * sum.xy, v = fu * sum.xy + fv * sum.yy;
+        for (int i = 0; i < 3; ++i) {
+            corners[i].at = corners[i].at + (u * wu[i] + v * wv[i]) * corners[i].inverseMass;
+            scatter(places, t.particles[i], corners[i]);
+        }
+    }
+}
+
+/// Mean strains as in the triangle, half differences of opposite sides, and the shear.
+void sweepCells(Place* places, std::span<const FourCells> cells, double cap, const TensionLaw* law, int first) {
+    const Four half = all(0.5), one = all(1);
+    for (const FourCells& cell : cells) {
+        Corners corners[4];
+        for (int i = 0; i < 4; ++i) corners[i] = gather(places, cell.particles[i]);
+        const Four u = load(cell.perWidth), v = load(cell.perHeight);
+        const Vectors sides[4] = {(corners[1].at - corners[0].at) * u, (corners[2].at - corners[3].at) * u,
+                                  (corners[3].at - corners[0].at) * v, (corners[2].at - corners[1].at) * v};
+        Vectors along[4]; // half of each direction
+        Four strain[4];
+        for (int s = 0; s < 4; ++s) {
+            const Four length = squareRoot(dot(sides[s], sides[s]));
+            along[s] = sides[s] * (length > Four{} ? half / length : Four{});
+            strain[s] = length - one;
+        }
+        const Vectors xu = (sides[0] + sides[1]) * half, xv = (sides[2] + sides[3]) * half;
+        const Four weft = half * (strain[0] + strain[1]), warp = half * (strain[2] + strain[3]);
+        const Response<5> response(cell, law, first + static_cast<int>(&cell - cells.data()), weft, warp);
+        const Four coupling = response.coupling;
+        const Four values[5] = {weft, warp + coupling * weft, half * (strain[0] - strain[1]),
+                                half * (strain[2] - strain[3]), dot(xu, xv)};
+
+        const Vectors none, lower = along[0] * u, upper = along[1] * u, left = along[2] * v, right = along[3] * v;
+        const Vectors shearU = xv * (half * u), shearV = xu * (half * v);
+        const Vectors bySide[5][4] = {{lower, upper, none, none},
+                                      {lower * coupling, upper * coupling, left, right},
+                                      {lower, none - upper, none, none},
+                                      {none, none, left, none - right},
+                                      {shearU, shearU, shearV, shearV}};
+        Vectors gradients[5][4];
+        for (int k = 0; k < 5; ++k) { // as cloth::sideWeights has it
+            const auto& [low, up, l, r] = bySide[k];
+            gradients[k][0] = none - low - l;
+            gradients[k][1] = low - r;
+            gradients[k][2] = up + r;
+            gradients[k][3] = l - up;
+        }
+        Four g[5][5], lambda[5];
+        for (int k = 0; k < 5; ++k)
+            for (int l = 0; l <= k; ++l) {
+                g[k][l] = Four{};
+                for (int i = 0; i < 4; ++i) g[k][l] += corners[i].inverseMass * dot(gradients[k][i], gradients[l][i]);
+            }
+        solve<5>(g, lambda, values, response.compliance, cap);
+        for (int i = 0; i < 4; ++i) {
+            Vectors move;
+            for (int k = 0; k < 5; ++k) move = move + gradients[k][i] * lambda[k];
+            corners[i].at = corners[i].at + move * corners[i].inverseMass;
+            scatter(places, cell.particles[i], corners[i]);
+        }
+    }
+}
+
+/// As cloth::foldAngle has it; a hinge of which a triangle has no area is left alone.
+void sweepHinges(Place* places, std::span<const FourHinges> hinges, double cap) {
+    const Four one = all(1), tiny = all(1e-30);
+    for (const FourHinges& h : hinges) {
+        Corners corners[4];
+        for (int i = 0; i < 4; ++i) corners[i] = gather(places, h.particles[i]);
+        const Vectors e = corners[1].at - corners[0].at;
+        const Vectors toC = corners[2].at - corners[0].at, toD = corners[3].at - corners[0].at;
+        const Vectors n1 = cross(e, toC), n2 = cross(toD, e);
+        const Four ee = dot(e, e), n1n1 = dot(n1, n1), n2n2 = dot(n2, n2), length = squareRoot(ee);
+        const FourFlags flat = (ee < tiny) | (n1n1 < tiny * ee) | (n2n2 < tiny * ee);
+        const Four sine = dot(e, cross(n2, n1)), cosine = length * dot(n1, n2), rest = load(h.restAngle);
+        Four angle{};
+        for (int i = 0; i < 4; ++i) {
+            const double from = std::atan2(sine[i], cosine[i]) - rest[i];
+            angle[i] = std::abs(from) < std::numbers::pi ? from : std::remainder(from, 2 * std::numbers::pi);
+        }
+        const Vectors atC = n1 * (length / n1n1), atD = n2 * (length / n2n2);
+        const Four s = dot(toC, e) / ee, t = dot(toD, e) / ee; // where the feet of c and d lie on the edge
+        const Vectors gradients[4] = {atC * (s - one) + atD * (t - one), atC * -s - atD * t, atC, atD};
+        Four g{};
+        for (int i = 0; i < 4; ++i) g += corners[i].inverseMass * dot(gradients[i], gradients[i]);
+        const Four lambda = flat ? Four{} : -angle / (g + larger(load(h.compliance), g / all(cap)));
+        for (int i = 0; i < 4; ++i) {
+            const Vectors moved = corners[i].at + gradients[i] * (corners[i].inverseMass * lambda);
+            corners[i].at = {flat ? corners[i].at.x : moved.x, flat ? corners[i].at.y : moved.y,
+                             flat ? corners[i].at.z : moved.z};
+            scatter(places, h.particles[i], corners[i]);
+        }
+    }
+}
+
+constexpr SweepKernels kernels{sweepSprings, sweepLinear<3>, sweepLinear<4>, sweepTriangles, sweepCells, sweepHinges};
 
 } // namespace
 } // namespace toile::dynamics

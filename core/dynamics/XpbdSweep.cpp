@@ -1,344 +1,262 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/XpbdSweep.h"
 
-#include "core/cloth/FoldAngle.h"
-#include "core/cloth/MembraneCellForces.h"
 #include "core/cloth/Tension.h"
-#include "core/cloth/TriangleStrain.h"
 #include "core/dynamics/Colouring.h"
 
 #include <cmath>
+#include <limits>
 
 namespace toile::dynamics {
 namespace {
 
-/// Solves A·y = b in place by Cholesky; A symmetric positive definite.
-template <int N>
-void solveSmall(std::array<std::array<double, N>, N>& a, std::array<double, N>& b) {
-    for (int i = 0; i < N; ++i) {
-        for (int j = 0; j < i; ++j) {
-            double sum = a[i][j];
-            for (int k = 0; k < j; ++k) sum -= a[i][k] * a[j][k];
-            a[i][j] = sum / a[j][j];
-        }
-        double diagonal = a[i][i];
-        for (int k = 0; k < i; ++k) diagonal -= a[i][k] * a[i][k];
-        a[i][i] = std::sqrt(diagonal);
-    }
-    for (int i = 0; i < N; ++i) {
-        for (int k = 0; k < i; ++k) b[i] -= a[i][k] * b[k];
-        b[i] /= a[i][i];
-    }
-    for (int i = N - 1; i >= 0; --i) {
-        for (int k = i + 1; k < N; ++k) b[i] -= a[k][i] * b[k];
-        b[i] /= a[i][i];
-    }
-}
+constexpr int lanes = 4, corners = 4;
 
 /// s(e)/e of a tension curve.
 double secant(const std::vector<material::TensionPoint>& curve, double strain) {
     return strain > 0 && !curve.empty() ? cloth::tensionResponse(curve, strain).stress / strain : 1;
 }
 
-constexpr double shortest = 1e-12; ///< [m]; a shorter spring has no direction of its own
-constexpr int spares = 8;          ///< places for lanes without an element
+double areaOf(const cloth::MembraneTriangle& triangle) {
+    return triangle.area;
+}
+double areaOf(const cloth::MembraneCell& cell) {
+    return cell.width * cell.height;
+}
+
+double complianceOf(double stiffness, double h) {
+    return stiffness > 0 ? 1 / (stiffness * h * h) : std::numeric_limits<double>::infinity();
+}
+
+/// Constraints that a membrane is taken apart into, but for the shear: ½(C11 − C12²/C22)·E_xx² +
+/// ½C22·(E_yy + r·E_xx)² with r = C12/C22; for cells also C11 and C22 themselves.
+struct Membrane {
+    double area = 0;
+    material::MembraneStiffness stiffness;
+    const cloth::TensionCurves* curves = nullptr;
+
+    struct Response {
+        double coupling;                  ///< r
+        std::array<double, 4> compliance; ///< [1/kg]
+    };
+    [[nodiscard]] Response under(double weft, double warp, double h) const {
+        const double c11 = curves ? stiffness.c11 * secant(curves->weft, weft) : stiffness.c11;
+        const double c22 = curves ? stiffness.c22 * secant(curves->warp, warp) : stiffness.c22;
+        const double r = c22 > 0 ? stiffness.c12 / c22 : 0;
+        const double along = complianceOf(area * c11, h), across = complianceOf(area * c22, h);
+        return {r, {complianceOf(area * (c11 - r * stiffness.c12), h), across, along, across}};
+    }
+};
+
+/// As bending is: its coefficients sum to 0.
+bool isUnmovedByTranslation(std::span<const double> coefficients) {
+    double sum = 0, size = 0;
+    for (const double c : coefficients) {
+        sum += c;
+        size += std::abs(c);
+    }
+    return std::abs(sum) < 1e-9 * size;
+}
+
+class CurvedMembranes final : public TensionLaw {
+public:
+    explicit CurvedMembranes(double h) : h_(h) {}
+
+    std::vector<std::array<Membrane, lanes>> fours;
+
+    void bend(int four, const FourNumbers& weft, const FourNumbers& warp, FourNumbers& coupling,
+              std::span<FourNumbers> compliance) const override {
+        for (int lane = 0; lane < lanes; ++lane) {
+            const Membrane& membrane = fours[four][lane];
+            if (!membrane.curves) continue;
+            const auto response = membrane.under(weft[lane], warp[lane], h_);
+            coupling[lane] = response.coupling;
+            for (std::size_t c = 0; c + 1 < compliance.size(); ++c) compliance[c][lane] = response.compliance[c];
+        }
+    }
+
+private:
+    double h_;
+};
 
 } // namespace
 
 XpbdSweep::XpbdSweep(const cloth::ClothModel& model, const Eliminated& eliminated, std::span<const double> inverseMass,
-                     double h, double cap)
-    : model_(model), eliminated_(eliminated), inverseMass_(inverseMass), h_(h), cap_(cap),
-      slaveOf_(model.mass.size(), -1), places_(model.mass.size() + spares) {
-    for (int s = 0; s < spares; ++s) static_cast<Vec3&>(places_[model.mass.size() + s]) = {1.0 * s, 0, 0};
-    for (int s : eliminated.slaves()) slaveOf_[model.slaves[s].particle] = s;
+                     double h, double cap, const SweepKernels& kernels)
+    : model_(model), inverseMass_(inverseMass), h_(h), cap_(cap), kernels_(kernels),
+      joints_(model, eliminated, inverseMass, h, cap), places_(model.mass.size() + lanes * corners) {
+    for (std::size_t p = 0; p < model.mass.size(); ++p) places_[p].inverseMass = inverseMass[p];
+    for (int s = 0; s < lanes * corners; ++s) places_[model.mass.size() + s].x = s;
     compileSprings();
-    for (const auto* stencils : {&model.bending, &model.twist}) compileStencils(*stencils);
-    const int n = model.particleCount();
-    threePoint_ = inOrder(threePoint_, colouredOrder(threePoint_, n, [](const auto& s) { return s.particles; }));
-    fourPoint_ = inOrder(fourPoint_, colouredOrder(fourPoint_, n, [](const auto& s) { return s.particles; }));
-    triangleOrder_ = colouredOrder(model.triangles, n, [](const auto& t) { return t.particles; });
-    cellOrder_ = colouredOrder(model.cells, n, [](const auto& c) { return c.particles; });
+    compileStencils();
+    compileTriangles();
+    compileCells();
+    compileHinges();
 }
 
-double XpbdSweep::compliance(double stiffness, double inverseMass) const {
-    return std::max(1 / (stiffness * h_ * h_), inverseMass / cap_);
+double XpbdSweep::compliance(double stiffness) const {
+    return complianceOf(stiffness, h_);
 }
 
-bool XpbdSweep::touchesSlave(std::span<const int> particles) const {
-    return std::ranges::any_of(particles, [&](int p) { return p >= 0 && slaveOf_[p] >= 0; });
+int XpbdSweep::spare(int lane, int corner) const {
+    return model_.particleCount() + lane * corners + corner;
 }
 
 void XpbdSweep::compileSprings() {
-    std::vector<Spring> simple;
-    for (const auto* springs : {&model_.structural, &model_.shear, &model_.flexion})
-        for (const cloth::Spring& s : *springs) {
-            const int particles[] = {s.a, s.b};
+    std::vector<cloth::Spring> springs;
+    for (const auto* some : {&model_.structural, &model_.shear, &model_.flexion})
+        for (const cloth::Spring& s : *some) {
+            const std::array ends{s.a, s.b};
             if (s.stiffness <= 0) continue;
-            if (touchesSlave(particles)) {
-                const double coefficients[] = {-1, 1};
-                compileExpanded(particles, coefficients, s.restLength, s.stiffness);
-                continue;
-            }
-            const double wa = inverseMass_[s.a], wb = inverseMass_[s.b];
-            if (wa + wb == 0) continue;
-            const double share = 1 / (wa + wb + compliance(s.stiffness, wa + wb));
-            simple.push_back({s.a, s.b, s.restLength, wa * share, wb * share});
+            if (joints_.touches(ends)) joints_.add(ends, std::array{-1.0, 1.0}, s.restLength, s.stiffness);
+            else if (inverseMass_[s.a] + inverseMass_[s.b] > 0) springs.push_back(s);
         }
-    const auto ends = [](const Spring& s) { return std::array{s.a, s.b}; };
-    springs_ = inFours(colouredGroups(simple, model_.particleCount(), 4, ends), simple);
-}
-
-/// Lanes without a spring get one between places of their own, at its rest length.
-std::vector<FourSprings> XpbdSweep::inFours(const std::vector<std::vector<int>>& groups,
-                                            const std::vector<Spring>& springs) const {
-    std::vector<FourSprings> fours;
-    fours.reserve(groups.size());
-    for (const std::vector<int>& group : groups) {
-        FourSprings& four = fours.emplace_back();
-        for (int lane = 0; lane < 4; ++lane) {
-            const int spare = model_.particleCount() + 2 * lane;
-            const Spring s = lane < std::ssize(group) ? springs[group[lane]] : Spring{spare, spare + 1, 1, 0, 0};
+    const auto ends = [](const cloth::Spring& s) { return std::array{s.a, s.b}; };
+    for (const auto& group : colouredGroups(springs, model_.particleCount(), lanes, ends)) {
+        FourSprings& four = springs_.emplace_back();
+        for (int lane = 0; lane < lanes; ++lane) {
+            four.a[lane] = spare(lane, 0);
+            four.b[lane] = spare(lane, 1);
+            if (lane >= std::ssize(group)) continue;
+            const cloth::Spring& s = springs[group[lane]];
+            const double w = inverseMass_[s.a] + inverseMass_[s.b];
             four.a[lane] = s.a;
             four.b[lane] = s.b;
             four.restLength[lane] = s.restLength;
-            four.correctionA[lane] = s.correctionA;
-            four.correctionB[lane] = s.correctionB;
+            four.share[lane] = static_cast<float>(1 / (w + std::max(compliance(s.stiffness), w / cap_)));
         }
-    }
-    return fours;
-}
-
-void XpbdSweep::compileStencils(const std::vector<cloth::Stencil>& stencils) {
-    const auto compiled = [&](const cloth::Stencil& s, auto linear, int count) {
-        double w = 0;
-        for (int i = 0; i < count; ++i) {
-            linear.particles[i] = s.particles[i];
-            linear.coefficients[i] = s.coefficients[i];
-            w += inverseMass_[s.particles[i]] * s.coefficients[i] * s.coefficients[i];
-        }
-        const double share = w > 0 ? 1 / (w + compliance(s.stiffness, w)) : 0;
-        for (int i = 0; i < count; ++i)
-            linear.corrections[i] = inverseMass_[s.particles[i]] * s.coefficients[i] * share;
-        return linear;
-    };
-    for (const cloth::Stencil& s : stencils) {
-        const auto count = std::ranges::count_if(s.particles, [](int p) { return p >= 0; });
-        if (s.stiffness <= 0) continue;
-        if (count == 3 && !touchesSlave(s.particles)) threePoint_.push_back(compiled(s, Linear<3>{}, 3));
-        else if (count == 4 && !touchesSlave(s.particles)) fourPoint_.push_back(compiled(s, Linear<4>{}, 4));
-        else
-            compileExpanded(std::span(s.particles).first(count), std::span(s.coefficients).first(count), 0,
-                            s.stiffness);
     }
 }
 
-void XpbdSweep::compileExpanded(std::span<const int> particles, std::span<const double> coefficients, double restLength,
-                                double stiffness) {
-    // Pinned particles stay in the sum: they are points of it although nothing moves them.
-    std::vector<Term> terms;
-    const auto add = [&](int particle, double coefficient) {
-        const auto it = std::ranges::find(terms, particle, &Term::particle);
-        if (it != terms.end()) it->coefficient += coefficient;
-        else terms.push_back({particle, coefficient, 0});
-    };
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        if (slaveOf_[particles[i]] < 0) {
-            add(particles[i], coefficients[i]);
-            continue;
-        }
-        for (const auto& [master, weight] : model_.slaves[slaveOf_[particles[i]]].masters)
-            add(master, weight * coefficients[i]);
+template <int N>
+LinearElement<N> XpbdSweep::compiled(const cloth::Stencil& stencil) const {
+    LinearElement<N> element;
+    double w = 0, last = 0;
+    const auto add = [&](int particle, double c) { w += inverseMass_[particle] * c * c; };
+    for (int i = 0; i < N; ++i) element.particles[i] = stencil.particles[i];
+    for (int i = 0; i < N - 1; ++i) {
+        element.coefficients[i] = stencil.coefficients[i];
+        last -= element.coefficients[i];
+        add(element.particles[i], element.coefficients[i]);
     }
-    double w = 0;
-    for (const Term& t : terms) w += inverseMass_[t.particle] * t.coefficient * t.coefficient;
-    if (w == 0) return;
-    const double share = 1 / (w + compliance(stiffness, w));
-    for (Term& t : terms) t.correction = inverseMass_[t.particle] * t.coefficient * share;
-    const int begin = static_cast<int>(terms_.size());
-    terms_.insert(terms_.end(), terms.begin(), terms.end());
-    expanded_.push_back({begin, static_cast<int>(terms_.size()), restLength});
+    add(element.particles[N - 1], last);
+    if (w > 0) element.share = static_cast<float>(1 / (w + std::max(compliance(stencil.stiffness), w / cap_)));
+    return element;
+}
+
+void XpbdSweep::compileStencils() {
+    std::vector<LinearElement<3>> three;
+    std::vector<LinearElement<4>> four;
+    for (const auto* stencils : {&model_.bending, &model_.twist})
+        for (const cloth::Stencil& s : *stencils) {
+            if (s.stiffness <= 0) continue;
+            const auto count = std::ranges::count_if(s.particles, [](int p) { return p >= 0; });
+            const auto particles = std::span(s.particles).first(count);
+            const auto coefficients = std::span(s.coefficients).first(count);
+            if (joints_.touches(particles) || count < 3 || !isUnmovedByTranslation(coefficients))
+                joints_.add(particles, coefficients, 0, s.stiffness);
+            else if (count == 3) three.push_back(compiled<3>(s));
+            else four.push_back(compiled<4>(s));
+        }
+    const auto particles = [](const auto& element) { return element.particles; };
+    threePoint_ = inOrder(three, colouredOrder(three, model_.particleCount(), particles));
+    fourPoint_ = inOrder(four, colouredOrder(four, model_.particleCount(), particles));
+}
+
+void XpbdSweep::compileTriangles() {
+    std::vector<cloth::MembraneTriangle> triangles;
+    for (const auto& t : model_.triangles)
+        if (!joints_.touches(t.particles)) triangles.push_back(t);
+    const auto particles = [](const cloth::MembraneTriangle& t) { return t.particles; };
+    auto law = std::make_unique<CurvedMembranes>(h_);
+    bool curved = false;
+    for (const auto& group : colouredGroups(triangles, model_.particleCount(), lanes, particles)) {
+        FourTriangles& four = triangles_.emplace_back();
+        auto& membranes = law->fours.emplace_back();
+        for (int lane = 0; lane < lanes; ++lane) {
+            for (int c = 0; c < 3; ++c) four.particles[c][lane] = spare(lane, c);
+            for (FourNumbers& compliance : four.compliance) compliance[lane] = 1;
+            if (lane >= std::ssize(group)) continue;
+            const cloth::MembraneTriangle& t = triangles[group[lane]];
+            membranes[lane] = {areaOf(t), t.stiffness, t.tension >= 0 ? &model_.tensionCurves[t.tension] : nullptr};
+            curved |= t.tension >= 0;
+            const auto slack = membranes[lane].under(0, 0, h_);
+            for (int c = 0; c < 3; ++c) four.particles[c][lane] = t.particles[c];
+            for (int c = 0; c < 4; ++c) four.inverseRest[c][lane] = t.inverseRest[c];
+            four.coupling[lane] = slack.coupling;
+            for (int c = 0; c < 2; ++c) four.compliance[c][lane] = slack.compliance[c];
+            four.compliance[2][lane] = compliance(areaOf(t) * t.stiffness.c33);
+        }
+    }
+    if (curved) triangleLaw_ = std::move(law);
+}
+
+void XpbdSweep::compileCells() {
+    std::vector<cloth::MembraneCell> cells;
+    for (const auto& c : model_.cells)
+        if (!joints_.touches(c.particles)) cells.push_back(c);
+    const auto particles = [](const cloth::MembraneCell& c) { return c.particles; };
+    auto law = std::make_unique<CurvedMembranes>(h_);
+    bool curved = false;
+    for (const auto& group : colouredGroups(cells, model_.particleCount(), lanes, particles)) {
+        FourCells& four = cells_.emplace_back();
+        auto& membranes = law->fours.emplace_back();
+        for (int lane = 0; lane < lanes; ++lane) {
+            for (int c = 0; c < 4; ++c) four.particles[c][lane] = spare(lane, c);
+            for (FourNumbers& compliance : four.compliance) compliance[lane] = 1;
+            if (lane >= std::ssize(group)) continue;
+            const cloth::MembraneCell& cell = cells[group[lane]];
+            membranes[lane] = {areaOf(cell), cell.stiffness,
+                               cell.tension >= 0 ? &model_.tensionCurves[cell.tension] : nullptr};
+            curved |= cell.tension >= 0;
+            const auto slack = membranes[lane].under(0, 0, h_);
+            for (int c = 0; c < 4; ++c) four.particles[c][lane] = cell.particles[c];
+            four.perWidth[lane] = 1 / cell.width;
+            four.perHeight[lane] = 1 / cell.height;
+            four.coupling[lane] = slack.coupling;
+            for (int c = 0; c < 4; ++c) four.compliance[c][lane] = slack.compliance[c];
+            four.compliance[4][lane] = compliance(areaOf(cell) * cell.stiffness.c33);
+        }
+    }
+    if (curved) cellLaw_ = std::move(law);
+}
+
+void XpbdSweep::compileHinges() {
+    std::vector<cloth::Hinge> hinges;
+    for (const auto& h : model_.hinges)
+        if (h.stiffness > 0 && !joints_.touches(cornersOf(h))) hinges.push_back(h);
+    const auto particles = [](const cloth::Hinge& h) { return cornersOf(h); };
+    for (const auto& group : colouredGroups(hinges, model_.particleCount(), lanes, particles)) {
+        FourHinges& four = hinges_.emplace_back();
+        for (int lane = 0; lane < lanes; ++lane) {
+            for (int c = 0; c < 4; ++c) four.particles[c][lane] = spare(lane, c);
+            four.compliance[lane] = 1;
+            if (lane >= std::ssize(group)) continue;
+            const cloth::Hinge& h = hinges[group[lane]];
+            for (int c = 0; c < 4; ++c) four.particles[c][lane] = cornersOf(h)[c];
+            four.restAngle[lane] = h.restAngle;
+            four.compliance[lane] = compliance(h.stiffness);
+        }
+    }
 }
 
 void XpbdSweep::apply(std::span<Vec3> positions) {
     for (std::size_t p = 0; p < positions.size(); ++p) static_cast<Vec3&>(places_[p]) = positions[p];
-    kernels_.springs(places_.data(), springs_);
-    applyTriangles(places_);
-    applyCells(places_);
-    kernels_.threePoint(places_.data(), threePoint_);
-    kernels_.fourPoint(places_.data(), fourPoint_);
-    applyExpanded(places_);
-    applyHinges(places_);
+    Place* const places = places_.data();
+    kernels_.springs(places, springs_);
+    kernels_.triangles(places, triangles_, cap_, triangleLaw_.get(), 0);
+    kernels_.cells(places, cells_, cap_, cellLaw_.get(), 0);
+    kernels_.threePoint(places, threePoint_);
+    kernels_.fourPoint(places, fourPoint_);
+    joints_.apply(places_);
+    kernels_.hinges(places, hinges_, cap_);
     for (std::size_t p = 0; p < positions.size(); ++p) positions[p] = places_[p];
-}
-
-void XpbdSweep::applyExpanded(std::span<Place> x) const {
-    for (const Expanded& e : expanded_) {
-        Vec3 value;
-        for (int t = e.begin; t < e.end; ++t) value += terms_[t].coefficient * x[terms_[t].particle];
-        if (e.restLength > 0) value *= 1 - e.restLength / std::max(geometry::length(value), shortest);
-        for (int t = e.begin; t < e.end; ++t) x[terms_[t].particle] -= terms_[t].correction * value;
-    }
-}
-
-Vec3 XpbdSweep::placeOf(int particle, std::span<const Place> x) const {
-    if (slaveOf_[particle] < 0) return x[particle];
-    Vec3 place;
-    for (const auto& [master, weight] : model_.slaves[slaveOf_[particle]].masters) place += weight * x[master];
-    return place;
-}
-
-/// A particle that an element moves, with the gradients of the element's constraints there.
-template <int Constraints>
-struct XpbdSweep::Mover {
-    int particle;
-    double inverseMass;
-    std::array<Vec3, Constraints> gradients;
-};
-
-template <int Constraints, int Corners>
-void XpbdSweep::solveBlock(std::span<Place> x, const std::array<int, Corners>& particles,
-                           const std::array<double, Constraints>& values,
-                           const std::array<std::array<Vec3, Corners>, Constraints>& gradients,
-                           const std::array<double, Constraints>& stiffness) const {
-    const auto gradientsAt = [&](int corner) {
-        std::array<Vec3, Constraints> at;
-        for (int c = 0; c < Constraints; ++c) at[c] = gradients[c][corner];
-        return at;
-    };
-    if (touchesSlave(particles)) { // the few elements beside a joint: corners become their masters
-        std::vector<Mover<Constraints>> movers;
-        for (int corner = 0; corner < Corners; ++corner)
-            for (const auto& [unknown, weight] : eliminated_.termsOf(particles[corner])) {
-                const int particle = eliminated_.free()[unknown];
-                auto it = std::ranges::find(movers, particle, &Mover<Constraints>::particle);
-                if (it == movers.end()) it = movers.insert(it, {particle, inverseMass_[particle], {}});
-                for (int c = 0; c < Constraints; ++c) it->gradients[c] += weight * gradients[c][corner];
-            }
-        solveMovers<Constraints>(x, movers, values, stiffness);
-        return;
-    }
-    std::array<Mover<Constraints>, Corners> movers;
-    for (int corner = 0; corner < Corners; ++corner)
-        movers[corner] = {particles[corner], inverseMass_[particles[corner]], gradientsAt(corner)};
-    solveMovers<Constraints>(x, movers, values, stiffness);
-}
-
-/// Solves a few constraints of one element together: (G W Gᵀ + compliance)·λ = −C, Δx = W Gᵀ λ.
-template <int Constraints>
-void XpbdSweep::solveMovers(std::span<Place> x, std::span<const Mover<Constraints>> movers,
-                            const std::array<double, Constraints>& values,
-                            const std::array<double, Constraints>& stiffness) const {
-    std::array<std::array<double, Constraints>, Constraints> a{};
-    for (const auto& mover : movers)
-        for (int c = 0; c < Constraints; ++c) {
-            const Vec3 weighted = mover.inverseMass * mover.gradients[c];
-            for (int d = 0; d <= c; ++d) a[c][d] += dot(weighted, mover.gradients[d]);
-        }
-    std::array<double, Constraints> lambda;
-    for (int c = 0; c < Constraints; ++c) {
-        lambda[c] = -values[c];
-        if (!(stiffness[c] > 0) || !(a[c][c] > 0)) { // nothing to do for this one
-            for (int d = 0; d < c; ++d) a[c][d] = 0;
-            for (int d = c + 1; d < Constraints; ++d) a[d][c] = 0;
-            a[c][c] = 1;
-            lambda[c] = 0;
-            continue;
-        }
-        a[c][c] += compliance(stiffness[c], a[c][c]);
-    }
-    solveSmall<Constraints>(a, lambda);
-    for (const auto& mover : movers) {
-        Vec3 move;
-        for (int c = 0; c < Constraints; ++c) move += lambda[c] * mover.gradients[c];
-        x[mover.particle] += mover.inverseMass * move;
-    }
-}
-
-void XpbdSweep::applyHinges(std::span<Place> x) const {
-    for (const cloth::Hinge& h : model_.hinges) {
-        const std::array<int, 4> particles{h.a, h.b, h.c, h.d};
-        const cloth::FoldAngle fold =
-            cloth::foldAngle(placeOf(h.a, x), placeOf(h.b, x), placeOf(h.c, x), placeOf(h.d, x));
-        solveBlock<1, 4>(x, particles, {cloth::angleFrom(h.restAngle, fold.angle)}, {fold.gradient}, {h.stiffness});
-    }
-}
-
-void XpbdSweep::applyTriangles(std::span<Place> x) const {
-    static const cloth::TensionCurves linear;
-    for (int index : triangleOrder_) {
-        const cloth::MembraneTriangle& t = model_.triangles[index];
-        const auto f = cloth::deformationGradient(t, placeOf(t.particles[0], x), placeOf(t.particles[1], x),
-                                                  placeOf(t.particles[2], x));
-        const cloth::Stretch stretch(f);
-        const cloth::Symmetric2 e = stretch.strain();
-        const cloth::TensionCurves& curves = t.tension >= 0 ? model_.tensionCurves[t.tension] : linear;
-        const auto& c = t.stiffness;
-        const double c11 = c.c11 * secant(curves.weft, e.xx), c22 = c.c22 * secant(curves.warp, e.yy);
-        // ½(C11 − C12²/C22)·E_xx² + ½C22·(E_yy + r·E_xx)² + ½C33·γ², r = C12/C22: three independent constraints
-        const double r = c22 > 0 ? c.c12 / c22 : 0;
-        const std::array<double, 3> values{e.xx, e.yy + r * e.xx, 2 * e.xy};
-        const std::array<double, 3> stiffness{t.area * (c11 - r * c.c12), t.area * c22, t.area * c.c33};
-        const std::array<cloth::Symmetric2, 3> directions{{{1, 0, 0}, {r, 1, 0}, {0, 0, 1}}};
-        const cloth::CornerWeights w = cloth::cornerWeights(t);
-        std::array<std::array<Vec3, 3>, 3> gradients;
-        for (int k = 0; k < 3; ++k) {
-            const cloth::Symmetric2 z = stretch.solve(directions[k]);
-            const Vec3 u = 2 * (f.u * z.xx + f.v * z.xy), v = 2 * (f.u * z.xy + f.v * z.yy);
-            for (int i = 0; i < 3; ++i) gradients[k][i] = w.u[i] * u + w.v[i] * v;
-        }
-        solveBlock<3, 3>(x, t.particles, values, gradients, stiffness);
-    }
-}
-
-void XpbdSweep::applyCells(std::span<Place> x) const {
-    static const cloth::TensionCurves linear;
-    for (int index : cellOrder_) {
-        const cloth::MembraneCell& cell = model_.cells[index];
-        std::array<Vec3, 4> corners;
-        for (int i = 0; i < 4; ++i) corners[i] = placeOf(cell.particles[i], x);
-        const cloth::CellSides sides = cloth::cellSides(cell, corners);
-        std::array<Vec3, 4> direction;
-        std::array<double, 4> strain;
-        for (int s = 0; s < 4; ++s) {
-            const double length = geometry::length(sides[s]);
-            direction[s] = length > 0 ? sides[s] / length : Vec3{};
-            strain[s] = length - 1;
-        }
-        const Vec3 xu = 0.5 * (sides[0] + sides[1]), xv = 0.5 * (sides[2] + sides[3]);
-        const double weft = 0.5 * (strain[0] + strain[1]), warp = 0.5 * (strain[2] + strain[3]);
-        const cloth::TensionCurves& curves = cell.tension >= 0 ? model_.tensionCurves[cell.tension] : linear;
-        const auto& c = cell.stiffness;
-        const double area = cell.width * cell.height;
-        const double c11 = c.c11 * secant(curves.weft, weft), c22 = c.c22 * secant(curves.warp, warp);
-        const double r = c22 > 0 ? c.c12 / c22 : 0;
-        // Mean strains as in the triangle, half differences of opposite sides, and the shear: independent again.
-        const std::array<double, 5> values{weft, warp + r * weft, 0.5 * (strain[0] - strain[1]),
-                                           0.5 * (strain[2] - strain[3]), dot(xu, xv)};
-        const std::array<double, 5> stiffness{area * (c11 - r * c.c12), area * c22, area * c11, area * c22,
-                                              area * c.c33};
-        const Vec3 none;
-        const Vec3 bySide[5][4] = {
-            {0.5 * direction[0], 0.5 * direction[1], none, none},
-            {0.5 * r * direction[0], 0.5 * r * direction[1], 0.5 * direction[2], 0.5 * direction[3]},
-            {0.5 * direction[0], -0.5 * direction[1], none, none},
-            {none, none, 0.5 * direction[2], -0.5 * direction[3]},
-            {0.5 * xv, 0.5 * xv, 0.5 * xu, 0.5 * xu},
-        };
-        const double u = 1 / cell.width, v = 1 / cell.height;
-        std::array<std::array<Vec3, 4>, 5> gradients;
-        for (int k = 0; k < 5; ++k) { // as cloth::sideWeights has it
-            const Vec3 lower = u * bySide[k][0], upper = u * bySide[k][1];
-            const Vec3 left = v * bySide[k][2], right = v * bySide[k][3];
-            gradients[k] = {-lower - left, lower - right, upper + right, left - upper};
-        }
-        solveBlock<5, 4>(x, cell.particles, values, gradients, stiffness);
-    }
 }
 
 std::size_t XpbdSweep::bytes() const {
     const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-    return of(slaveOf_) + of(places_) + of(springs_) + of(threePoint_) + of(fourPoint_) + of(expanded_) + of(terms_) +
-           of(triangleOrder_) + of(cellOrder_);
+    return of(places_) + of(springs_) + of(threePoint_) + of(fourPoint_) + of(triangles_) + of(cells_) + of(hinges_) +
+           joints_.bytes();
 }
 
 } // namespace toile::dynamics

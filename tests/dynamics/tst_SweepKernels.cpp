@@ -1,55 +1,71 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/dynamics/SweepKernels.h"
+#include "core/dynamics/XpbdSweep.h"
+#include "tests/cloth/Fixtures.h"
 
 #include <QTest>
-#include <random>
 
 using namespace toile;
-using dynamics::Linear;
-using dynamics::Place;
+using namespace toile::fixtures;
+using dynamics::Eliminated;
 using dynamics::SweepKernels;
+using dynamics::XpbdSweep;
 
 namespace {
 
-constexpr int count = 24; ///< places
+constexpr double h = 1.0 / 2400; ///< [s]
 
-struct Random {
-    std::mt19937 engine{7};
-    double number() { return std::uniform_real_distribution(-1.0, 1.0)(engine); }
-    std::vector<Place> places() {
-        std::vector<Place> places(count);
-        for (Place& place : places) static_cast<Vec3&>(place) = {number(), number(), number()};
-        return places;
-    }
-    std::array<double, 4> numbers() { return {number(), number(), number(), number()}; }
+struct Cloth {
+    ClothModel model;
+    std::vector<Vec3> positions;
 };
 
-std::vector<dynamics::FourSprings> springs(Random& random) {
-    std::vector<dynamics::FourSprings> fours;
-    for (int i = 0; i < 200; ++i) {
-        const int shift = i % count;
-        auto& four = fours.emplace_back();
-        four.restLength = random.numbers();
-        four.correctionA = random.numbers();
-        four.correctionB = random.numbers();
-        for (int lane = 0; lane < 4; ++lane) {
-            four.a[lane] = (shift + 2 * lane) % count;
-            four.b[lane] = (shift + 2 * lane + 1 + 8 * (i % 2)) % count;
-        }
-    }
-    return fours;
+Cloth shaken(const QString& kind) {
+    const auto lines = evenLines(0.1, 6);
+    const Patch patch = kind.endsWith("triangles") ? trianglePatch(lines, lines) : gridPatch(lines, lines);
+    Cloth cloth;
+    if (!cloth::appendPatch(cloth.model, patch, kind.startsWith("knit") ? knitFabric() : wovenFabric()))
+        qFatal("a patch is a cloth");
+    if (kind == "hinges")
+        for (int a = 7; a < 35; ++a)
+            if (a % 7 < 6) cloth.model.hinges.push_back({a, a + 1, a + 7, a - 7, 0.3, 1e-4});
+    cloth.model.pinned = {0, 6};
+    for (const Vec2& m : patch.material) cloth.positions.push_back({m.x, 0, m.y});
+    shake(cloth.positions, 0.004);
+    return cloth;
 }
 
-template <int N>
-std::vector<Linear<N>> stencils(Random& random) {
-    std::vector<Linear<N>> stencils(200);
-    for (int i = 0; i < 200; ++i)
-        for (int k = 0; k < N; ++k) {
-            stencils[i].particles[k] = (i + 5 * k) % count;
-            stencils[i].coefficients[k] = random.number();
-            stencils[i].corrections[k] = 0.1 * random.number();
-        }
-    return stencils;
+std::vector<Vec3> swept(const ClothModel& model, std::vector<Vec3> positions, const SweepKernels& kernels) {
+    const Eliminated eliminated(model);
+    const std::vector<double> inverseMass = eliminated.inverseMass();
+    XpbdSweep sweep(model, eliminated, inverseMass, h, 1, kernels);
+    sweep.apply(positions);
+    return positions;
+}
+
+/// The same element with its first corner on a slave, which lies on a new particle as heavy as the corner was and in
+/// its place: the element takes the way of those that touch joints, and must move its corners by the same.
+template <class Element, class Corner>
+void isMovedAsBesideAJoint(const Cloth& cloth, std::vector<Element> ClothModel::*elements, Corner firstCorner,
+                           double tolerance) {
+    QVERIFY(!(cloth.model.*elements).empty());
+    for (Element element : cloth.model.*elements) {
+        ClothModel alone{.mass = cloth.model.mass, .tensionCurves = cloth.model.tensionCurves};
+        ClothModel joined = alone;
+        (alone.*elements).push_back(element);
+        const int corner = firstCorner(element), slave = alone.particleCount();
+        joined.mass.push_back(0);
+        joined.slaves.push_back({slave, {{corner, 1.0}}});
+        firstCorner(element) = slave;
+        (joined.*elements).push_back(element);
+        std::vector<Vec3> start = cloth.positions;
+        const auto free = swept(alone, start, dynamics::fastestKernels());
+        start.push_back(start[corner]);
+        const auto beside = swept(joined, start, dynamics::fastestKernels());
+        double farthest = 0;
+        for (std::size_t p = 0; p < free.size(); ++p) farthest = std::max(farthest, distance(free[p], start[p]));
+        QVERIFY(farthest > 0);
+        for (std::size_t p = 0; p < free.size(); ++p) QVERIFY(distance(free[p], beside[p]) <= tolerance);
+    }
 }
 
 } // namespace
@@ -58,53 +74,61 @@ class tst_SweepKernels : public QObject {
     Q_OBJECT
 
 private slots:
+    void everyProcessorGivesTheSameBits_data() {
+        QTest::addColumn<QString>("kind");
+        for (const char* kind : {"springs", "triangles", "knit triangles", "knit cells", "hinges"})
+            QTest::newRow(kind) << kind;
+    }
     void everyProcessorGivesTheSameBits() {
-        const SweepKernels *plain = &dynamics::plainKernels(), *fast = dynamics::avx2Kernels();
+        QFETCH(QString, kind);
+        const SweepKernels* fast = dynamics::avx2Kernels();
         if (!fast) return; // there is one kind here
-        Random random;
-        const auto someSprings = springs(random);
-        const auto three = stencils<3>(random);
-        const auto four = stencils<4>(random);
-        const auto start = random.places();
-        std::array<std::vector<Place>, 2> ends{start, start};
-        for (int i = 0; i < 2; ++i) {
-            const SweepKernels& kernels = i == 0 ? *plain : *fast;
-            kernels.springs(ends[i].data(), someSprings);
-            kernels.threePoint(ends[i].data(), three);
-            kernels.fourPoint(ends[i].data(), four);
-        }
-        QVERIFY(ends[0] != start);
-        for (int p = 0; p < count; ++p) QCOMPARE(ends[0][p], ends[1][p]);
+        const Cloth cloth = shaken(kind);
+        const auto plain = swept(cloth.model, cloth.positions, dynamics::plainKernels());
+        QVERIFY(plain != cloth.positions);
+        QCOMPARE(swept(cloth.model, cloth.positions, *fast), plain);
     }
 
-    void aSpringMovesItsEndsAsTheFormulaSays() {
-        std::vector<Place> places(8);
-        for (int p = 0; p < 8; ++p) static_cast<Vec3&>(places[p]) = {1.0 * p, 0.1 * p, 0.3 * p * p};
-        const std::vector<Place> start = places;
-        dynamics::FourSprings four{.restLength = {0.5, 1, 2, 3},
-                                   .correctionA = {0.5, 0.25, 0, 0.125},
-                                   .correctionB = {0.25, 0.5, 0.75, 0},
-                                   .a = {0, 1, 2, 3},
-                                   .b = {4, 5, 6, 7}};
-        dynamics::fastestKernels().springs(places.data(), std::span(&four, 1));
-        for (int i = 0; i < 4; ++i) {
-            const Vec3 d = start[i + 4] - start[i];
-            const Vec3 change = d * (1 - four.restLength[i] / length(d));
-            QVERIFY(distance(places[i], start[i] + change * four.correctionA[i]) < 1e-15);
-            QVERIFY(distance(places[i + 4], start[i + 4] - change * four.correctionB[i]) < 1e-15);
+    /// The share of springs and stencils is rounded to 6e-8 of itself, and with it a move of some millimetres.
+    void elementsMoveAsBesideAJoint() {
+        constexpr double single = 5e-10, full = 1e-13; // [m]
+        const Cloth woven = shaken("springs"), triangles = shaken("triangles"), knit = shaken("knit cells");
+        const auto a = [](auto& element) -> int& { return element.a; };
+        const auto first = [](auto& element) -> int& { return element.particles[0]; };
+        isMovedAsBesideAJoint(woven, &ClothModel::structural, a, single);
+        isMovedAsBesideAJoint(woven, &ClothModel::bending, first, single);
+        isMovedAsBesideAJoint(triangles, &ClothModel::bending, first, single);
+        isMovedAsBesideAJoint(triangles, &ClothModel::triangles, first, full);
+        isMovedAsBesideAJoint(shaken("knit triangles"), &ClothModel::triangles, first, full);
+        isMovedAsBesideAJoint(knit, &ClothModel::cells, first, full);
+        isMovedAsBesideAJoint(shaken("hinges"), &ClothModel::hinges, a, full);
+    }
+
+    void momentumStays() {
+        for (const char* kind : {"springs", "triangles", "knit triangles", "knit cells", "hinges"}) {
+            Cloth cloth = shaken(kind);
+            cloth.model.pinned.clear();
+            const auto after = swept(cloth.model, cloth.positions, dynamics::fastestKernels());
+            Vec3 sum;
+            double size = 0;
+            for (std::size_t p = 0; p < after.size(); ++p) {
+                sum += cloth.model.mass[p] * (after[p] - cloth.positions[p]);
+                size += cloth.model.mass[p] * distance(after[p], cloth.positions[p]);
+            }
+            QVERIFY(length(sum) < 1e-13 * size); // sums of some 1000 roundings
         }
     }
 
     void aSpringWithoutLengthPartsItsEnds() {
-        std::vector<Place> places(8);
-        for (int p = 0; p < 8; ++p) static_cast<Vec3&>(places[p]) = {1.0 * (p / 2), 0, 0};
-        dynamics::FourSprings four{.restLength = {0.5, 0.5, 0.5, 0.5},
-                                   .correctionA = {0.5, 0.5, 0.5, 0.5},
-                                   .correctionB = {0.5, 0.5, 0.5, 0.5},
-                                   .a = {0, 2, 4, 6},
-                                   .b = {1, 3, 5, 7}};
-        dynamics::fastestKernels().springs(places.data(), std::span(&four, 1));
-        for (int p = 0; p < 8; p += 2) QVERIFY(std::abs(distance(places[p], places[p + 1]) - 0.5) < 1e-11);
+        const ClothModel model{.mass = {0.001, 0.001}, .structural = {{0, 1, 0.5, 1e9}}};
+        const auto ends = swept(model, {{1, 2, 3}, {1, 2, 3}}, dynamics::fastestKernels());
+        QVERIFY(std::abs(distance(ends[0], ends[1]) - 0.25) < 1e-6); // half of it: the cap
+    }
+
+    void anElementWithoutAreaIsLeftAlone() {
+        ClothModel model{.mass = {0.001, 0.001, 0.001, 0.001}, .hinges = {{0, 1, 2, 3, 0.3, 1e-4}}};
+        const std::vector<Vec3> start{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}};
+        QCOMPARE(swept(model, start, dynamics::fastestKernels()), start);
     }
 };
 
