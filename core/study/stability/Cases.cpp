@@ -27,13 +27,11 @@ std::vector<Case> allCases() {
 std::vector<NotRun> casesNotRun() {
     constexpr std::string_view notBuilt = "It is not built yet.";
     return {
-        {"S18", "regions of 1 : 64", notBuilt},
         {"S19", "a million cells", "Minutes and gigabytes: ./dev bench measures meshes of that size."},
         {"S20", "every number of a file mutated", notBuilt},
         {"S27", "a hand that drags 10 m in a frame", "The hand that drags cloth is being built."},
         {"S30", "petticoat of three layers", notBuilt},
         {"S32", "knife pleats", "Pleats cannot be drawn yet."},
-        {"S34", "strap of 5 mm carrying a skirt", notBuilt},
         {"S35", "arms lifted in 0.3 s", "Bodies do not move yet."},
         {"S36", "body 10 or 0.1 times too big",
          "Bodies are judged when they are read, which is not this room's work: tests/io/tst_BodyImport."},

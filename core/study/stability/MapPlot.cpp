@@ -36,9 +36,9 @@ std::string ticsOf(const std::vector<double>& values, const auto& textOf) {
 
 /// What is written into a cell: why it has no colour, or how much softer the cloth was.
 std::string markOf(const MapCell& cell) {
-    if (cell.run.refused) return "refused";
-    if (!cell.bounded) return "grows";
-    return cell.softened < 0.99 ? fmt::format("× {:.2g}", cell.softened) : "";
+    if (cell.run.refused) return "–";
+    if (!cell.bounded) return "×";
+    return cell.softened < 0.99 ? fmt::format("{:.0e}", cell.softened) : "";
 }
 
 } // namespace
@@ -77,14 +77,16 @@ std::string mapScript(const std::vector<MapCell>& cells) {
             [](const MapCell& c) { return "\"" + markOf(c) + "\""; });
     }
     fmt::format_to(out,
-                   "set terminal svg size 1500,{} dynamic background rgb 'white' font 'DejaVu Sans,12'\n"
+                   "set terminal svg size 1300,{} dynamic background rgb 'white' font 'DejaVu Sans,12'\n"
                    "set output 'stiffness-map.svg'\n"
-                   "set multiplot layout 1,{} title 'error of the falling flap over its way, by stiffness and step'\n"
+                   "set multiplot layout 2,3 title 'error of the falling flap over its way, by stiffness and step; – "
+                   "refused, × energy grows'\n"
                    "set palette defined (-5 '#2c7fb8', -3 '#7fcdbb', -2 '#edf8b1', -1 '#fdae61', 0 '#b30000')\n"
                    "set cbrange [{}:{}]\nset cblabel 'decades of the error'\nunset key\nset xrange [-0.5:{}]\n"
-                   "set yrange [-0.5:{}]\nset xtics {} rotate by 45 right\nset ytics {}\nset xlabel 'step s'\n"
+                   "set yrange [-0.5:{}]\nset xtics out nomirror {} rotate by 45 right\nset ytics out nomirror {}\nset "
+                   "xlabel 'step s'\n"
                    "set ylabel 'stiffness N/m'\nunset colorbox\n",
-                   120 + 40 * std::max<std::size_t>(stiffnesses.size(), 6), methods.size(), bestShown, worstShown,
+                   2 * (120 + 26 * std::max<std::size_t>(stiffnesses.size(), 6)), bestShown, worstShown,
                    static_cast<double>(steps.size()) - 0.5, static_cast<double>(stiffnesses.size()) - 0.5,
                    ticsOf(steps, stepText), ticsOf(stiffnesses, [](double k) { return fmt::format("{:.0e}", k); }));
     for (std::size_t m = 0; m < methods.size(); ++m) {
@@ -93,9 +95,8 @@ std::string mapScript(const std::vector<MapCell>& cells) {
             out,
             "plot $error{0} using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder linecolor palette, \\\n"
             "  $soft{0} using 1:2:3:4:5:6 with boxxyerror fillstyle transparent pattern 4 noborder linecolor "
-            "rgb '#555555', \\\n  $mark{0} using 1:2:7 with labels font ',8'\n",
+            "rgb '#555555', \\\n  $mark{0} using 1:2:7 with labels font ',9'\n",
             m);
-        if (m == 0) text += "unset ylabel\n";
     }
     text += "unset multiplot\n";
     return text;

@@ -47,7 +47,8 @@ std::string summaryOf(const std::vector<Row>& rows, const std::vector<NotRun>& n
     const auto count = [&](Verdict verdict) { return std::ranges::count(rows, verdict, &Row::verdict); };
     std::string text = fmt::format("{} PASS, {} PASS-WARN, {} REFUSED, {} FAIL", count(Verdict::pass),
                                    count(Verdict::passWithWarning), count(Verdict::refused), count(Verdict::fail));
-    return text + (notRun.empty() ? "." : fmt::format("; {} cases not run.", notRun.size()));
+    return text +
+           (notRun.empty() ? "." : fmt::format("; {} case{} not run.", notRun.size(), notRun.size() == 1 ? "" : "s"));
 }
 
 std::string stabilityText(const std::vector<Row>& rows, const std::vector<NotRun>& notRun, bool withMap,

@@ -215,6 +215,40 @@ Findings s29Swimsuit(const Effort& effort) {
     return {{std::move(row)}, {}};
 }
 
+/// A skirt of 0.3 m that hangs by a strap of 5 mm, sewn to the middle of its upper side.
+Findings s34Strap(const Effort& effort) {
+    Scene scene;
+    scene.pattern.fabrics.push_back(validation::plainCloth());
+    pattern::Piece skirt = polygonPiece("skirt", {{0, 0}, {0.3, 0}, {0.3, 0.3}, {0, 0.3}}, 0.02);
+    skirt.placement = pattern::Placement{};
+    skirt.placement->transform.origin = {-0.15, 0.69, 0};
+    pattern::Piece strap = polygonPiece("strap", {{0, 0}, {0.005, 0}, {0.005, 0.25}, {0, 0.25}}, 0.005);
+    strap.placement = pattern::Placement{};
+    strap.placement->transform.origin = {-0.0025, 1, 0};
+    scene.pattern.pieces.push_back(std::move(skirt));
+    scene.pattern.pieces.push_back(std::move(strap));
+    scene.pattern.seams.push_back(seamBetween("strap", "skirt", "e2", "strap", "e0"));
+    scene.pattern.seams[0].sides[0][0].from = 0.5 - 0.0025 / 0.3;
+    scene.pattern.seams[0].sides[0][0].to = 0.5 + 0.0025 / 0.3;
+    for (const char* vertex : {"v2", "v3"})
+        scene.pattern.pins.push_back({pattern::PinId(vertex), pattern::PieceId("strap"), pattern::VertexId(vertex)});
+    Sewn run = sewn(scene, effort.quick ? 180 : 300);
+    if (run.simulation) run.metrics.strain = simulation::strainOf(*run.simulation).warpMaximum;
+    Findings found{{closes("S34", "skirt of 0.3 m on a strap of 5 mm, while moving", run)}, {}};
+    if (!run.merged()) return found;
+    const auto rest = run.simulation->settle({});
+    if (!rest) {
+        found.rows.push_back(tested("S34", "the same at rest", false, rest.error().text));
+        return found;
+    }
+    run.metrics = {.strain = simulation::strainOf(*run.simulation).warpMaximum, .residual = rest->newton.residual};
+    const double pull = 0.15 * 0.3 * 0.3 * 9.81 / 0.005 / 1000; // ρ A g over width and stiffness: 2.6 %
+    found.rows.push_back(tested("S34", "the same at rest", rest->newton.converged && *run.metrics.strain < 4 * pull,
+                                "The strap is stretched over four times what the weight asks, or not at rest.",
+                                run.metrics));
+    return found;
+}
+
 Findings s33HeavyAndLight(const Effort& effort) {
     Scene scene = validation::twoSquares();
     material::Fabric chiffon = validation::plainCloth(), denim = validation::plainCloth();
@@ -247,7 +281,8 @@ std::vector<Case> sewingCases() {
             {"S17", "seam loops", s17Loops},
             {"S29", "swimsuit", s29Swimsuit},
             {"S31", "gathers", s31Gathers},
-            {"S33", "heavy and light", s33HeavyAndLight}};
+            {"S33", "heavy and light", s33HeavyAndLight},
+            {"S34", "strap", s34Strap}};
 }
 
 } // namespace toile::study::stability

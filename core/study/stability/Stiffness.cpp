@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cloth/Forces.h"
 #include "core/dynamics/Statics.h"
+#include "core/simulation/Garment.h"
+#include "core/simulation/MeshInputOf.h"
 #include "core/study/Calibration.h"
 #include "core/study/Scenes.h"
 #include "core/study/stability/Cases.h"
+#include "core/study/validation/Pieces.h"
 #include "core/study/validation/Sheets.h"
 
 #include <algorithm>
@@ -162,12 +165,53 @@ Findings s24StiffBesideSoft(const Effort&) {
     return found;
 }
 
+/// A piece of 0.2 m with a painted square 64 times finer than the rest, pulled evenly: no inner particle may feel a
+/// force.
+Findings s18FineRegion(const Effort&) {
+    constexpr int refinement = 6;
+    constexpr double spacing = 0.032;
+    const std::string what = "region 64 times finer than its piece";
+    pattern::Pattern pattern;
+    pattern.fabrics.push_back(validation::plainCloth());
+    pattern::Piece piece = validation::polygonPiece("piece", {{0, 0}, {0.192, 0}, {0.192, 0.192}, {0, 0.192}}, spacing);
+    pattern::Region region{.id = pattern::RegionId("fine"), .name = "fine", .outline = {}, .refinement = refinement};
+    region.outline = {{0.064, 0.064}, {0.096, 0.064}, {0.096, 0.096}, {0.064, 0.096}};
+    piece.regions.push_back(std::move(region));
+    pattern.pieces.push_back(std::move(piece));
+    const auto input = simulation::meshInputOf(pattern);
+    if (!input) return {{tested("S18", what, false, input.error().text)}, {}};
+    auto mesh = meshing::meshGarment(*input);
+    if (!mesh) return {{mustBeRefused("S18", what, mesh.error().text)}, {}};
+    const std::vector<Vec2> places = mesh->pieces.front().material;
+    const auto garment = simulation::makeGarment(pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), {});
+    if (!garment) return {{tested("S18", what, false, garment.error().text)}, {}};
+    constexpr double strain = 1e-6;
+    std::vector<Vec3> x, forces(places.size());
+    for (const Vec2& m : places) x.push_back({(1 + strain) * m.x, m.y, 0});
+    cloth::addForces(garment->model, x, forces);
+    cloth::gatherToMasters(garment->model, forces);
+    double most = 0;
+    for (std::size_t p = 0; p < places.size(); ++p) {
+        const auto isInner = [](double t) { return t > 1e-9 && t < 0.192 - 1e-9; };
+        if (isInner(places[p].x) && isInner(places[p].y)) most = std::max(most, length(forces[p]));
+    }
+    const double pull = 1000 * strain * spacing; // of one coarse cell [N]
+    const double limit = 2 / std::sqrt(cloth::largestFrequencySquared(garment->model, x));
+    return {{tested("S18",
+                    fmt::format("{}: {} particles, forces inside {:.1g} of a cell's pull, limit of explicit steps "
+                                "{:.2g} s",
+                                what, places.size(), most / pull, limit),
+                    most / pull < 1e-5, "They should vanish with the square of the strain of 1e-6.")},
+            {}};
+}
+
 } // namespace
 
 std::vector<Case> stiffnessCases() {
     return {{"S1", "stiffness against step", s1StiffnessAgainstStep},
             {"S2", "rounding floor", s2RoundingFloor},
             {"S3", "mass ratio of a million", s3MassRatio},
+            {"S18", "fine region", s18FineRegion},
             {"S24", "stiff beside soft", s24StiffBesideSoft}};
 }
 

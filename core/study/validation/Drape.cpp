@@ -44,8 +44,7 @@ struct Drape {
         double mean = 0;
         for (const Vec3& x : rim) mean += x.y / static_cast<double>(rim.size());
         int count = 0;
-        for (std::size_t i = 0; i < rim.size(); ++i)
-            count += rim[i].y < mean && rim[(i + 1) % rim.size()].y >= mean;
+        for (std::size_t i = 0; i < rim.size(); ++i) count += rim[i].y < mean && rim[(i + 1) % rim.size()].y >= mean;
         return count;
     }
 };
@@ -105,8 +104,7 @@ Drape drapeOf(Findings& found, const Disc& disc) {
     }
     cloth::doubleBendingAtClampedRows(model);
     const auto xpbd = dynamics::makeIntegrator(dynamics::Method::xpbd, model, {.damping = 3});
-    for (int frame = 0; frame < 120 && !found.stopped(); ++frame)
-        found.ran(xpbd->step(state, 1.0 / 60, downward));
+    for (int frame = 0; frame < 120 && !found.stopped(); ++frame) found.ran(xpbd->step(state, 1.0 / 60, downward));
     const auto rest = dynamics::solveStatic(model, state, downward, {}, {.maximumIterations = 1000});
     if (found.ran(rest) && !rest->newton.converged) found.stop("The drape did not come to rest.");
     std::ranges::sort(rim);
@@ -129,7 +127,8 @@ void v29Cusick(Findings& found) {
     const Fabric fabric = drapingWeave();
     const Drape coarse = drapeOf(found, {fabric, 0.01}), fine = drapeOf(found, {fabric, 0.005});
     if (found.stopped()) return;
-    found.atMost(fmt::format("drape coefficient {:.1f} % of {} folds at 10 mm, {:.1f} % of {} at 5 mm: difference", coarse.coefficient(), coarse.folds(), fine.coefficient(), fine.folds()),
+    found.atMost(fmt::format("drape coefficient {:.1f} % of {} folds at 10 mm, {:.1f} % of {} at 5 mm: difference",
+                             coarse.coefficient(), coarse.folds(), fine.coefficient(), fine.folds()),
                  2, std::abs(coarse.coefficient() - fine.coefficient()));
     found.within("the same at 5 mm: folds, 4 to 8", 6, fine.folds(), 2.0 / 6);
     Fabric stiffer = fabric;
@@ -158,8 +157,7 @@ void v31MeshBias(Findings& found) {
     double least = 100, most = 0;
     std::string each;
     for (const double degrees : {0.0, 22.5, 45.0}) {
-        const double coefficient =
-            drapeOf(found, {isotropicCloth(), 0.01, degrees * pi / 180, true}).coefficient();
+        const double coefficient = drapeOf(found, {isotropicCloth(), 0.01, degrees * pi / 180, true}).coefficient();
         least = std::min(least, coefficient);
         most = std::max(most, coefficient);
         each += fmt::format("{}{:.2f}", each.empty() ? "" : ", ", coefficient);
@@ -184,7 +182,8 @@ void v31PlacesOfFolds(Findings& found) {
 } // namespace
 
 std::vector<Case> drapeCases() {
-    return {{"V29", "drape", "Cusick drape", v29Cusick}, {"V31", "drape", "mesh bias of a drape", v31MeshBias},
+    return {{"V29", "drape", "Cusick drape", v29Cusick},
+            {"V31", "drape", "mesh bias of a drape", v31MeshBias},
             {"V31", "drape", "places of folds", v31PlacesOfFolds,
              "All runs fold at the same places of the grid. On an isotropic ring nothing else prefers a place, so the "
              "least bias of the mesh decides; how much it drapes does not depend on it."}};

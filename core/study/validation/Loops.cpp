@@ -159,8 +159,12 @@ double heightOfStrip(Findings& found, const Loop& loop, int cells) {
 
 /// Hearts of strips heavy enough for them: a light one stands up.
 void v28Loops(Findings& found) {
-    for (const Loop& loop : {Loop{"pear", -pi / 2, 1}, {"pear", -pi / 2, 50}, {"pear", -pi / 2, 400},
-                             {"heart", pi / 2, 200}, {"heart", pi / 2, 400}, {"heart", pi / 2, 300}}) {
+    for (const Loop& loop : {Loop{"pear", -pi / 2, 1},
+                             {"pear", -pi / 2, 50},
+                             {"pear", -pi / 2, 400},
+                             {"heart", pi / 2, 200},
+                             {"heart", pi / 2, 400},
+                             {"heart", pi / 2, 300}}) {
         const double exact = heightByElastica(found, loop);
         found.within(fmt::format("{} loop, ρgL³/B = {:g}, 64 cells: height over length", loop.name, loop.gamma), exact,
                      heightOfStrip(found, loop, 64), 0.01);
