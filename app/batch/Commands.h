@@ -44,7 +44,9 @@ struct SewOptions {
     bool strict = false;           ///< refuses a start that overlaps the body or itself
     int threads = 1;               ///< asked for; this version computes on one
     std::string out, report;
-    std::string frames; ///< folder or .pc2 for every frame step; empty = none
+    std::string resume;     ///< checkpoint to go on from; empty = from the start
+    std::string checkpoint; ///< written at the end, also of a run that is stopped; empty = none
+    std::string frames;     ///< folder or .pc2 for every frame step; empty = none
     std::vector<std::string> pictures;
     bool quiet = false;
 };

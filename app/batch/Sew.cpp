@@ -7,6 +7,7 @@
 #include "app/batch/Pictures.h"
 #include "core/base/AtomicFile.h"
 #include "core/dynamics/Method.h"
+#include "core/io/CheckpointFile.h"
 #include "core/io/DocumentFile.h"
 #include "core/io/DrapeExport.h"
 #include "core/io/FrameFiles.h"
@@ -28,6 +29,7 @@ Result<void> checked(const SewOptions& options) {
     for (const std::string& picture : options.pictures)
         if (auto out = checkedOutput(picture, {".png"}); !out) return out;
     if (auto frames = checkedOutput(options.frames, {}); !frames) return frames;
+    if (auto checkpoint = checkedOutput(options.checkpoint, {}); !checkpoint) return checkpoint;
     return checkedOutput(options.report, {});
 }
 
@@ -137,6 +139,27 @@ Result<simulation::SewReport> sewn(const SewOptions& options, const simulation::
     return report;
 }
 
+/// From the start, or from where another run has stopped.
+Result<simulation::Simulation> begun(const SewOptions& options, OpenedScene& opened) {
+    const simulation::MeshOverrides overrides{.spacing = options.spacing, .rule = options.rule};
+    auto simulation = [&]() -> Result<simulation::Simulation> {
+        if (options.resume.empty()) return simulation::Simulation::create(opened.scene, overrides);
+        const auto point = io::readCheckpoint(options.resume);
+        if (!point) return tl::unexpected(point.error());
+        return simulation::Simulation::resumed(opened.scene, overrides, *point);
+    }();
+    if (!simulation) return simulation;
+    if (options.method != dynamics::nameOf(dynamics::Method::xpbd))
+        simulation->drapeWith(dynamics::methodNamed(options.method)); // absent for "static"
+    if (!options.resume.empty()) return simulation;
+    if (const auto start = judgeStart(opened, *simulation, options); !start) return tl::unexpected(start.error());
+    return simulation;
+}
+
+Result<void> keep(const std::string& checkpoint, simulation::Simulation& simulation) {
+    return checkpoint.empty() ? Result<void>() : io::writeCheckpoint(simulation.checkpoint(), checkpoint);
+}
+
 } // namespace
 
 const std::vector<std::string>& sewMethods() {
@@ -159,14 +182,12 @@ int sew(const SewOptions& options, std::stop_token stop) {
     auto opened = openScene(document->document, options.file, options.avatar);
     if (!opened) return refuse(opened.error());
     applyOptions(*opened, options);
-    auto simulation = simulation::Simulation::create(opened->scene, {.spacing = options.spacing, .rule = options.rule});
+    auto simulation = begun(options, *opened);
     if (!simulation) return refuse(simulation.error());
-    if (options.method != dynamics::nameOf(dynamics::Method::xpbd))
-        simulation->drapeWith(dynamics::methodNamed(options.method)); // absent for "static"
-    if (const auto start = judgeStart(*opened, *simulation, options); !start) return refuse(start.error());
 
     simulation::SewSettings settings{.seconds = options.seconds, .limit = options.limit, .hold = options.hold};
     auto report = sewn(options, settings, *simulation, stop);
+    if (const auto kept = keep(options.checkpoint, *simulation); !kept) return refuse(kept.error());
     if (!report) return refuse(report.error());
     report->warnings.insert(report->warnings.begin(), opened->warnings.begin(), opened->warnings.end());
     printSummary(*report, options);

@@ -124,6 +124,9 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
                 !text.empty() && text.size() < 5 && text.find_first_not_of("0123456789") == std::string::npos;
             return text == "auto" || (number && std::stoi(text) > 0) ? "" : "a positive number or auto";
         });
+    command->add_option("--checkpoint", options->checkpoint,
+                        "write where the simulation stands at the end, also when it is stopped by Ctrl+C");
+    command->add_option("--resume", options->resume, "go on from a checkpoint of the same garment, body and options");
     command->add_option("--out", options->out, "write the drape: .glb, .obj, .ply or .stl");
     command->add_option("--frames", options->frames,
                         "keep every frame step: a point cache (.pc2), or a folder for .obj files");

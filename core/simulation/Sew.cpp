@@ -180,10 +180,6 @@ void judgeWorn(SewReport& result, const Simulation& simulation, const SewSetting
 
 } // namespace
 
-std::string nameOf(Phase phase) {
-    return phase == Phase::sewing ? "sewing" : phase == Phase::shaking ? "shaking" : "draping";
-}
-
 bool SewReport::allClosed() const {
     return std::ranges::all_of(seams, [](const SeamResult& seam) { return seam.state.merged; });
 }

@@ -68,8 +68,6 @@ struct SewReport {
     [[nodiscard]] bool reachedItsGoal(const SewSettings& settings) const;
 };
 
-[[nodiscard]] std::string nameOf(Phase phase);
-
 /// Called after every frame step.
 using FrameObserver = std::function<void(const Simulation&)>;
 

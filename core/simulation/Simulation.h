@@ -6,6 +6,7 @@
 #include "core/dynamics/Method.h"
 #include "core/dynamics/Statics.h"
 #include "core/dynamics/Xpbd.h"
+#include "core/simulation/Checkpoint.h"
 #include "core/simulation/Frame.h"
 #include "core/simulation/Garment.h"
 #include "core/simulation/Grips.h"
@@ -31,10 +32,6 @@ struct SeamState {
 struct SeamGap {
     double maximum = 0, mean = 0; ///< [m]
 };
-
-/// How a garment is put on: first sewn without weight, then shaken down without friction, then left to itself
-/// (docs/decisions/0003-dressing.md).
-enum class Phase { sewing, shaking, draping };
 
 /// What a phase ran with.
 struct PhaseRun {
@@ -69,6 +66,14 @@ public:
     /// The changed scene with the drape of the one before, carried over piece by piece by material coordinates;
     /// pieces that are new start where they are placed. Time goes on.
     [[nodiscard]] static Result<Simulation> continued(Scene scene, const Simulation& before);
+
+    /// The scene from where a simulation of it stood; integrated by XPBD until drapeWith() says otherwise. Error when
+    /// the checkpoint belongs to another scene or mesh.
+    [[nodiscard]] static Result<Simulation> resumed(Scene scene, const MeshOverrides& overrides,
+                                                    const Checkpoint& checkpoint);
+    /// Where it stands now. What is only remembered from step to step (what friction holds, which layers are near) is
+    /// let go here as it will be by the simulation that is resumed: both go on to the same bits.
+    [[nodiscard]] Checkpoint checkpoint();
 
     /// Integrates by this method (not in a scene of the paper) while no seam is being closed; sewing itself is
     /// position-based, which alone draws seams together. Absent: there is no motion after sewing, the garment is left

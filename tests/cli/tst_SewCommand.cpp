@@ -50,6 +50,7 @@ private slots:
     void aMissingFolderIsSaidAndNothingIsWritten();
     void aBrokenDocumentIsRefused();
     void anInterruptLeavesNothingBehind();
+    void aStoppedRunGoesOnFromItsCheckpoint();
     void wrongUsage_data();
     void wrongUsage();
 
@@ -304,6 +305,21 @@ void tst_SewCommand::anInterruptLeavesNothingBehind() {
     QVERIFY(process.exitCode() != 0);
     QVERIFY(process.readAllStandardError().contains("stopped"));
     QVERIFY(QDir(folder_->path()).isEmpty());
+}
+
+void tst_SewCommand::aStoppedRunGoesOnFromItsCheckpoint() {
+    const QString squares = sample("two-squares.toile"), point = in("squares.checkpoint");
+    const auto hashAfter = [&](const QStringList& options) {
+        const Finished finished = run(QStringList{"sew", squares, "--report", in("sew.json")} + options);
+        return finished.status == 0 ? *report().find("resultHash")->asString() : finished.err.toStdString();
+    };
+    (void)run({"sew", squares, "--seconds", "0.3", "--checkpoint", point}); // its seam is not closed yet
+    const std::string once = hashAfter({"--resume", point, "--seconds", "1"});
+    QCOMPARE(once.size(), std::size_t{64}); // the seam is closed now
+    QCOMPARE(hashAfter({"--resume", point, "--seconds", "1"}), once);
+    QVERIFY(hashAfter({"--resume", point, "--seconds", "1", "--spacing", "10"}).find("another scene") !=
+            std::string::npos);
+    QVERIFY(hashAfter({"--resume", in("none")}).find("none") != std::string::npos);
 }
 
 void tst_SewCommand::wrongUsage_data() {

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/CheckpointFile.h"
+
+#include "core/base/AtomicFile.h"
+#include "core/base/RegularFile.h"
+#include "core/io/JsonNode.h"
+
+#include <limits>
+
+namespace toile::io {
+namespace {
+
+using simulation::Checkpoint;
+
+constexpr int version = 1;
+constexpr std::uint64_t largestCheckpoint = std::uint64_t{1} << 30; ///< [bytes]; 100 000 particles have some 12 million
+
+Json vectorsOf(const std::vector<Vec3>& vectors) {
+    Json::Array numbers;
+    for (const Vec3& v : vectors)
+        for (int axis = 0; axis < 3; ++axis) numbers.emplace_back(v[axis]);
+    return numbers;
+}
+
+std::vector<double> numbersOf(const JsonNode& node) {
+    std::vector<double> numbers;
+    for (const JsonNode& item : node.items()) numbers.push_back(item.number());
+    return numbers;
+}
+
+std::vector<Vec3> vectorsOf(const JsonNode& node) {
+    const std::vector<double> numbers = numbersOf(node);
+    if (numbers.size() % 3 != 0) node.refuse("Expected three numbers for each particle.");
+    std::vector<Vec3> vectors;
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+        vectors.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+    return vectors;
+}
+
+Checkpoint::Seam seamOf(JsonNode& node) {
+    return {.merged = node.required("merged").truth(),
+            .initialGap = node.required("initialGap").number(),
+            .gapAtMerge = node.required("gapAtMerge").number(),
+            .start = node.required("start").number(),
+            .gaps = numbersOf(node.required("gaps"))};
+}
+
+Json jsonOf(const Checkpoint::Seam& seam) {
+    Json::Array gaps;
+    for (const double gap : seam.gaps) gaps.emplace_back(gap);
+    Json json;
+    json.set("merged", seam.merged).set("initialGap", seam.initialGap).set("gapAtMerge", seam.gapAtMerge);
+    json.set("start", seam.start).set("gaps", std::move(gaps));
+    return json;
+}
+
+} // namespace
+
+Result<void> writeCheckpoint(const Checkpoint& point, const std::string& path) {
+    Json seams{Json::Array{}}, json;
+    for (const Checkpoint::Seam& seam : point.seams) seams.push(jsonOf(seam));
+    json.set("format", "toile-checkpoint").set("version", version).set("scene", point.scene);
+    json.set("time", point.time).set("steps", point.steps).set("phase", nameOf(point.phase));
+    json.set("method", point.method).set("sewnTime", point.sewnTime).set("restingTime", point.restingTime);
+    json.set("largestSpeed", point.largestSpeed).set("goesOnAsItLay", point.goesOnAsItLay);
+    json.set("seams", std::move(seams));
+    json.set("positions", vectorsOf(point.positions)).set("velocities", vectorsOf(point.velocities));
+    return writeFileAtomically(path, toText(json));
+}
+
+Result<Checkpoint> readCheckpoint(const std::string& path) {
+    const auto text = readRegularFile(path, largestCheckpoint);
+    if (!text) return tl::unexpected(text.error());
+    const auto json = parseJson(*text, path);
+    if (!json) return tl::unexpected(json.error());
+    JsonReading reading{path, {}};
+    JsonNode root(&*json, "", reading);
+    if (root.required("format").text() != "toile-checkpoint") root["format"].refuse("This is no checkpoint.");
+    if (root.required("version").integer(version, 1, std::numeric_limits<int>::max()) > version)
+        root["version"].refuse("This program knows checkpoints up to version 1.", ErrorCode::unsupported);
+    Checkpoint point{.scene = root.required("scene").text(),
+                     .time = root.required("time").number(),
+                     .steps = root.required("steps").integer(0, 0, std::numeric_limits<int>::max()),
+                     .phase = static_cast<simulation::Phase>(root.required("phase").choice(simulation::phaseNames, 0)),
+                     .method = root.required("method").text(),
+                     .sewnTime = root.required("sewnTime").number(),
+                     .restingTime = root.required("restingTime").number(),
+                     .largestSpeed = root.required("largestSpeed").number(),
+                     .goesOnAsItLay = root.required("goesOnAsItLay").truth()};
+    for (JsonNode& seam : root.required("seams").items()) point.seams.push_back(seamOf(seam));
+    point.positions = vectorsOf(root.required("positions"));
+    point.velocities = vectorsOf(root.required("velocities"));
+    if (reading.error) return tl::unexpected(*reading.error);
+    return point;
+}
+
+} // namespace toile::io

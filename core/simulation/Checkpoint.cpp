@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Checkpoint.h"
+
+#include "core/base/Sha256.h"
+
+#include <span>
+
+namespace toile::simulation {
+namespace {
+
+/// Numbers whose order is the same in equal scenes.
+struct Numbers {
+    std::vector<double> all;
+
+    template <class... Values>
+    void add(Values... values) {
+        (all.push_back(static_cast<double>(values)), ...);
+    }
+    void add(const Vec3& v) { add(v.x, v.y, v.z); }
+    void add(const material::MembraneStiffness& s) { add(s.c11, s.c12, s.c22, s.c33); }
+};
+
+void addMesh(Numbers& numbers, const meshing::GarmentMesh& mesh) {
+    for (const meshing::PieceMesh& piece : mesh.pieces) {
+        for (const Vec2 p : piece.material) numbers.add(p.x, p.y);
+        for (const auto& [a, b, c] : piece.display) numbers.add(a, b, c);
+    }
+    for (const meshing::SeamNodes& seam : mesh.seams)
+        for (const auto& [a, b] : seam.pairs) numbers.add(a.piece, a.node, b.piece, b.node);
+}
+
+void addModel(Numbers& numbers, const Garment& garment) {
+    const cloth::ClothModel& model = garment.model;
+    for (const double m : model.mass) numbers.add(m);
+    for (const int p : model.pinned) numbers.add(p);
+    for (const auto* springs : {&model.structural, &model.shear, &model.flexion})
+        for (const cloth::Spring& s : *springs) numbers.add(s.a, s.b, s.restLength, s.stiffness);
+    for (const auto* stencils : {&model.bending, &model.twist})
+        for (const cloth::Stencil& s : *stencils) {
+            for (const double c : s.coefficients) numbers.add(c);
+            numbers.add(s.stiffness);
+        }
+    for (const cloth::Hinge& h : model.hinges) numbers.add(h.restAngle, h.stiffness);
+    for (const auto& t : model.triangles) numbers.add(t.stiffness);
+    for (const auto& c : model.cells) numbers.add(c.stiffness);
+    for (const double t : garment.halfThickness) numbers.add(t);
+    for (const double f : garment.friction) numbers.add(f);
+}
+
+} // namespace
+
+std::string fingerprintOf(const Scene& scene, const Garment& garment) {
+    Numbers numbers;
+    addMesh(numbers, *garment.mesh);
+    addModel(numbers, garment);
+    if (scene.body)
+        for (const Vec3& v : (*scene.body)->mesh.vertices) numbers.add(v);
+    const SceneSettings& s = scene.settings;
+    numbers.add(s.gravity);
+    numbers.add(s.damping, s.skinOffset, s.bodyFriction, s.seamTime, s.frameStep, s.substeps, s.selfContact,
+                scene.paper);
+    return sha256(std::as_bytes(std::span(numbers.all)));
+}
+
+} // namespace toile::simulation

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WornScenes.h"
+#include "core/io/CheckpointFile.h"
+#include "core/simulation/Inspect.h"
+
+#include <QTemporaryDir>
+
+using namespace toile;
+using namespace toile::simulation;
+
+namespace {
+
+Scene shirt() {
+    Scene scene = onBlouseWearer(blouseAt(0.03));
+    scene.settings.selfContact = true;
+    return scene;
+}
+
+void run(Simulation& simulation, int frames) {
+    for (int i = 0; i < frames; ++i) QVERIFY(simulation.advance());
+}
+
+} // namespace
+
+/// A simulation that is saved and resumed goes on as if nothing had happened.
+class tst_Checkpoint : public QObject {
+    Q_OBJECT
+private slots:
+    void whatIsResumedGoesOnToTheSameBits_data();
+    void whatIsResumedGoesOnToTheSameBits();
+    void aCheckpointOfAnotherSceneIsRefused();
+    void aBrokenFileIsRefusedWithItsField_data();
+    void aBrokenFileIsRefusedWithItsField();
+
+private:
+    [[nodiscard]] std::string file() const { return folder_.filePath("garment.checkpoint").toStdString(); }
+    QTemporaryDir folder_;
+};
+
+void tst_Checkpoint::whatIsResumedGoesOnToTheSameBits_data() {
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<int>("frames");
+    QTest::addColumn<int>("phase");
+    QTest::newRow("while seams close") << "xpbd" << 20 << 0;
+    QTest::newRow("while it is shaken down") << "xpbd" << 70 << 1;
+    QTest::newRow("draping") << "xpbd" << 180 << 2;
+    QTest::newRow("draping by TR-BDF2") << "trbdf2" << 180 << 2;
+}
+
+void tst_Checkpoint::whatIsResumedGoesOnToTheSameBits() {
+    QFETCH(QString, method);
+    QFETCH(int, frames);
+    QFETCH(int, phase);
+    const auto by = dynamics::methodNamed(method.toStdString());
+    auto simulation = Simulation::create(shirt());
+    QVERIFY(simulation);
+    run(*simulation, std::min(frames, 175));
+    if (method != "xpbd") simulation->drapeWith(by);
+    run(*simulation, frames - std::min(frames, 175));
+    const Checkpoint point = simulation->checkpoint();
+    QCOMPARE(static_cast<int>(point.phase), phase);
+    QVERIFY(io::writeCheckpoint(point, file()));
+    const auto read = io::readCheckpoint(file());
+    QVERIFY2(read, read ? "" : toString(read.error()).c_str());
+    QVERIFY(*read == point);
+
+    auto resumed = Simulation::resumed(shirt(), {}, *read);
+    QVERIFY2(resumed, resumed ? "" : toString(resumed.error()).c_str());
+    if (method != "xpbd") resumed->drapeWith(by);
+    QCOMPARE(resultHash(*resumed), resultHash(*simulation));
+    const int more = phase == 0 ? 60 : method == "xpbd" ? 20 : 5; // the first through the merging of its seams
+    run(*simulation, more);
+    run(*resumed, more);
+    QCOMPARE(resultHash(*resumed), resultHash(*simulation));
+    QVERIFY(resumed->state().velocities == simulation->state().velocities);
+    QVERIFY(resumed->checkpoint() == simulation->checkpoint());
+}
+
+void tst_Checkpoint::aCheckpointOfAnotherSceneIsRefused() {
+    auto simulation = Simulation::create(shirt());
+    QVERIFY(simulation);
+    const Checkpoint point = simulation->checkpoint();
+    const auto whyNot = [&](const Scene& scene, const MeshOverrides& overrides = {}) {
+        const auto resumed = Simulation::resumed(scene, overrides, point);
+        return resumed ? std::string() : toString(resumed.error());
+    };
+    QCOMPARE(whyNot(shirt()), std::string());
+    QVERIFY(whyNot(shirt(), {.spacing = 0.04}).find("particles") != std::string::npos);
+    Scene heavier = shirt();
+    heavier.settings.gravity.y *= 1.001;
+    QVERIFY(whyNot(heavier).find("different") != std::string::npos);
+    Scene stiffer = shirt();
+    material::Fabric fabric = *stiffer.pattern.fabrics[0];
+    fabric.warpBending *= 1.01;
+    stiffer.pattern.fabrics[0] = fabric;
+    QVERIFY(whyNot(stiffer).find("different") != std::string::npos);
+    Scene fewer = shirt();
+    fewer.pattern.seams.pop_back();
+    QVERIFY(whyNot(fewer).find("seams") != std::string::npos);
+}
+
+void tst_Checkpoint::aBrokenFileIsRefusedWithItsField_data() {
+    QTest::addColumn<QByteArray>("from");
+    QTest::addColumn<QByteArray>("to");
+    QTest::addColumn<QByteArray>("names");
+    QTest::newRow("no JSON") << QByteArray("{") << QByteArray("[") << QByteArray("garment.checkpoint");
+    QTest::newRow("another format") << QByteArray("toile-checkpoint") << QByteArray("toile") << QByteArray("format");
+    QTest::newRow("a newer version") << QByteArray("\"version\": 1") << QByteArray("\"version\": 2")
+                                     << QByteArray("version");
+    QTest::newRow("no phase") << QByteArray("\"sewing\"") << QByteArray("\"ironing\"") << QByteArray("phase");
+    QTest::newRow("no number") << QByteArray("\"positions\": [") << QByteArray("\"positions\": [null,")
+                               << QByteArray("positions");
+    QTest::newRow("a number too many") << QByteArray("\"velocities\": [") << QByteArray("\"velocities\": [1,")
+                                       << QByteArray("velocities");
+}
+
+void tst_Checkpoint::aBrokenFileIsRefusedWithItsField() {
+    QFETCH(QByteArray, from);
+    QFETCH(QByteArray, to);
+    QFETCH(QByteArray, names);
+    auto simulation = Simulation::create(shirt());
+    QVERIFY(simulation && io::writeCheckpoint(simulation->checkpoint(), file()));
+    QFile text(QString::fromStdString(file()));
+    QVERIFY(text.open(QIODevice::ReadWrite));
+    QByteArray content = text.readAll();
+    const qsizetype at = content.indexOf(from);
+    QVERIFY(at >= 0);
+    content.replace(at, from.size(), to);
+    QVERIFY(text.resize(0) && text.seek(0) && text.write(content) == content.size());
+    text.close();
+    const auto read = io::readCheckpoint(file());
+    QVERIFY(!read);
+    QVERIFY2(toString(read.error()).find(names.toStdString()) != std::string::npos, toString(read.error()).c_str());
+}
+
+QTEST_GUILESS_MAIN(tst_Checkpoint)
+#include "tst_Checkpoint.moc"
