@@ -157,7 +157,8 @@ void v31MeshBias(Findings& found) {
     double least = 100, most = 0;
     std::string each;
     for (const double degrees : {0.0, 22.5, 45.0}) {
-        const double coefficient = drapeOf(found, {isotropicCloth(), 0.01, degrees * pi / 180, true}).coefficient();
+        const double coefficient =
+            drapeOf(found, {.fabric = isotropicCloth(), .grain = degrees * pi / 180, .ring = true}).coefficient();
         least = std::min(least, coefficient);
         most = std::max(most, coefficient);
         each += fmt::format("{}{:.2f}", each.empty() ? "" : ", ", coefficient);
@@ -170,7 +171,7 @@ void v31PlacesOfFolds(Findings& found) {
     constexpr int runs = 16;
     std::complex<double> sum = 0;
     for (unsigned seed = 1; seed <= runs && !found.stopped(); ++seed) {
-        const Drape drape = drapeOf(found, {isotropicCloth(), 0.01, 0, true, seed});
+        const Drape drape = drapeOf(found, {.fabric = isotropicCloth(), .ring = true, .seed = seed});
         const int folds = std::max(1, drape.folds()), alike = std::lcm(folds, 4) / folds;
         sum += std::polar(1.0, alike * std::arg(drape.wave(folds)));
     }
