@@ -13,13 +13,20 @@ const char* verdictOf(const Row& row) {
     return row.passes() ? "PASS" : "FAIL";
 }
 
+/// A bar would end the cell.
+std::string cellOf(std::string text) {
+    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, 1, '\\');
+    return text;
+}
+
 std::string tableLineOf(const Row& row) {
-    if (!row.stopped.empty()) return fmt::format("| {} | {} | | {} | | FAIL |\n", row.number, row.what, row.stopped);
+    const std::string what = cellOf(row.what);
+    if (!row.stopped.empty()) return fmt::format("| {} | {} | | {} | | FAIL |\n", row.number, what, row.stopped);
     if (row.isBound)
-        return fmt::format("| {} | {} | ≤ {:.3g} | {:.3g} | | {} |\n", row.number, row.what, row.expected, row.measured,
+        return fmt::format("| {} | {} | ≤ {:.3g} | {:.3g} | | {} |\n", row.number, what, row.expected, row.measured,
                            verdictOf(row));
-    return fmt::format("| {} | {} | {:.6g} | {:.6g} | {:.2g} | {} |\n", row.number, row.what, row.expected,
-                       row.measured, row.tolerance, verdictOf(row));
+    return fmt::format("| {} | {} | {:.6g} | {:.6g} | {:.2g} | {} |\n", row.number, what, row.expected, row.measured,
+                       row.tolerance, verdictOf(row));
 }
 
 Json recordOf(const Case& one, const Row& row) {
