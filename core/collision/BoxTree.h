@@ -18,15 +18,4 @@ struct BoxNode {
 /// not used (docs/collision.md). The mesh has at least one triangle.
 [[nodiscard]] std::vector<BoxNode> boxTreeOf(const geometry::TriangleMesh& mesh);
 
-/// 0 inside the box.
-[[nodiscard]] inline double squaredDistance(const BoxNode& box, const Vec3& p) {
-    double sum = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double below = box.low[axis] - p[axis], above = p[axis] - box.high[axis];
-        const double outside = below > 0 ? below : above > 0 ? above : 0;
-        sum += outside * outside;
-    }
-    return sum;
-}
-
 } // namespace toile::collision

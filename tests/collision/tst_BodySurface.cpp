@@ -56,6 +56,7 @@ class tst_BodySurface : public QObject {
     Q_OBJECT
 private slots:
     void theClosestPointOfATriangleBeatsEverySampledPoint();
+    void theTreeFindsWhatBruteForceFinds_data();
     void theTreeFindsWhatBruteForceFinds();
     void theSignIsThatOfTheWindingNumber();
     void theDistanceToABoxFollowsItsClosedForm();
@@ -83,15 +84,30 @@ void tst_BodySurface::theClosestPointOfATriangleBeatsEverySampledPoint() {
     }
 }
 
+void tst_BodySurface::theTreeFindsWhatBruteForceFinds_data() {
+    QTest::addColumn<double>("away"); // [m]; boxes are of single precision
+    QTest::newRow("about the origin") << 0.0;
+    QTest::newRow("far away") << 1000.0;
+}
+
 void tst_BodySurface::theTreeFindsWhatBruteForceFinds() {
-    const auto surface = surfaceOf(shapes::bumpySphere());
+    QFETCH(double, away);
+    TriangleMesh mesh = shapes::bumpySphere();
+    const Vec3 centre{away, -away, 0};
+    for (Vec3& v : mesh.vertices) v += centre;
+    const auto surface = surfaceOf(std::move(mesh));
+    const double rounding = 1e-14 + 1e-15 * away;
     std::mt19937 random(1);
     for (int n = 0; n < 2000; ++n) {
-        const Vec3 p = shapes::randomPoint(random, 1.4);
+        const Vec3 p = centre + shapes::randomPoint(random, 1.4);
         const auto found = surface.nearest(p, anywhere);
         QVERIFY(found);
-        QVERIFY(std::abs(std::abs(found->signedDistance) - bruteDistance(surface.mesh(), p)) < 1e-14); // rounding
-        QVERIFY(std::abs(distance(found->point, p) - std::abs(found->signedDistance)) < 1e-14);
+        const double gap = std::abs(found->signedDistance);
+        QVERIFY(std::abs(gap - bruteDistance(surface.mesh(), p)) < rounding);
+        QVERIFY(std::abs(distance(found->point, p) - gap) < rounding);
+        const auto barely = surface.nearest(p, gap + 1e-9);
+        QVERIFY(barely && std::abs(std::abs(barely->signedDistance) - gap) < rounding);
+        QVERIFY(!surface.nearest(p, gap - 1e-9));
     }
 }
 
