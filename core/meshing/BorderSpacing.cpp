@@ -65,6 +65,7 @@ double finestSpacingAlong(const PieceInput& piece, const PieceBoundary& boundary
 std::vector<SpacingSeed> seedsOf(const BoundaryNodes& nodes, const PieceFrame& frame, int pieceIndex,
                                  const BoundaryDivision& division) {
     std::vector<SpacingSeed> seeds;
+    seeds.reserve(nodes.points.size());
     for (std::size_t r = 0; r < nodes.rings.size(); ++r)
         for (std::size_t i = 0; i < nodes.rings[r].size(); ++i) {
             const BoundarySpot& spot = nodes.spots[r][i];

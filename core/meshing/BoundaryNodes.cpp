@@ -4,6 +4,7 @@
 #include "core/meshing/Crossings.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace toile::meshing {
 namespace {
@@ -18,6 +19,11 @@ public:
         : piece_(piece), pieceIndex_(pieceIndex), boundary_(boundary), division_(division) {}
 
     BoundaryNodes run() {
+        std::size_t most = 0;
+        for (int loop = 0; loop < loopCount(piece_); ++loop) most += division_.mostNodes(pieceIndex_, loop);
+        nodes_.points.reserve(most);
+        nodes_.grid.reserve(most);
+        fractions_.reserve(most);
         for (int loop = 0; loop < loopCount(piece_); ++loop) walkLoop(loop);
         return std::move(nodes_);
     }
@@ -28,30 +34,35 @@ private:
         const Vec2 start = edges.front().curve.start;
         const int first = addNode(start, gridOf(start));
         int current = first;
-        ring_ = {first};
-        spots_.clear();
+        ring_.reserve(division_.mostNodes(pieceIndex_, loop));
+        spots_.reserve(division_.mostNodes(pieceIndex_, loop));
+        ring_.push_back(first);
         auto& lists = nodes_.loops.emplace_back();
+        lists.reserve(edges.size());
         std::vector<std::size_t> waiting; // edges of a run whose next node is not reached yet
         for (int e = 0, n = static_cast<int>(edges.size()); e < n; ++e) {
-            EdgeNodes list{{current, 0}};
+            EdgeNodes& list = lists.emplace_back();
+            const int before = current;
             const EdgeArc& arc = boundary_.loops[at(loop)].edges[at(e)];
             if (arc.collapsed) {
-                list.push_back({current, 1});
+                list.assign({{before, 0}, {before, 1}});
             } else if (division_.passesEnd(pieceIndex_, loop, e)) {
-                waiting.push_back(lists.size());
+                list.assign({{before, 0}});
+                waiting.push_back(at(e));
             } else {
-                const std::vector<double> fractions = division_.fractions(pieceIndex_, loop, e);
-                for (std::size_t k = 1; k < fractions.size(); ++k) {
-                    const bool last = k + 1 == fractions.size();
-                    const Vec2 point = last ? edges[at(e)].curve.end : arc.arc.pointAt(fractions[k]);
+                division_.listFractions(pieceIndex_, loop, e, fractions_);
+                list.reserve(fractions_.size());
+                list.push_back({before, 0});
+                for (std::size_t k = 1; k < fractions_.size(); ++k) {
+                    const bool last = k + 1 == fractions_.size();
+                    const Vec2 point = last ? edges[at(e)].curve.end : arc.arc.pointAt(fractions_[k]);
                     current = last && isLast(loop, e) ? first : nextNode(current, point);
-                    step(current, {loop, e, 0.5 * (fractions[k - 1] + fractions[k])});
-                    list.push_back({current, fractions[k]});
+                    step(current, {loop, e, 0.5 * (fractions_[k - 1] + fractions_[k])});
+                    list.push_back({current, fractions_[k]});
                     for (const std::size_t edge : waiting) lists[edge].push_back({current, 1});
                     waiting.clear();
                 }
             }
-            lists.push_back(std::move(list));
         }
         closeRing(loop);
     }
@@ -91,8 +102,8 @@ private:
             std::reverse(ring_.begin() + 1, ring_.end());
             std::reverse(spots_.begin(), spots_.end());
         }
-        nodes_.rings.push_back(ring_);
-        nodes_.spots.push_back(spots_);
+        nodes_.rings.push_back(std::exchange(ring_, {}));
+        nodes_.spots.push_back(std::exchange(spots_, {}));
     }
 
     const PieceInput& piece_;
@@ -102,6 +113,7 @@ private:
     BoundaryNodes nodes_;
     std::vector<int> ring_;
     std::vector<BoundarySpot> spots_;
+    std::vector<double> fractions_;
 };
 
 } // namespace
@@ -115,6 +127,7 @@ std::vector<std::vector<GridPoint>> ringPoints(const BoundaryNodes& nodes) {
     std::vector<std::vector<GridPoint>> rings;
     for (const auto& ring : nodes.rings) {
         auto& points = rings.emplace_back();
+        points.reserve(ring.size());
         for (const int node : ring) points.push_back(nodes.grid[at(node)]);
     }
     return rings;

@@ -99,6 +99,9 @@ std::optional<std::pair<int, int>> firstCrossing(std::span<const RingSegment> se
 
 std::vector<RingSegment> segmentsOf(std::span<const std::vector<GridPoint>> rings) {
     std::vector<RingSegment> segments;
+    std::size_t count = 0;
+    for (const auto& ring : rings) count += ring.size();
+    segments.reserve(count);
     for (std::size_t r = 0; r < rings.size(); ++r) {
         const auto& ring = rings[r];
         for (std::size_t i = 0; i < ring.size(); ++i)

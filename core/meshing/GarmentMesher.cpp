@@ -220,12 +220,11 @@ Result<void> GarmentMesher::Memory::meshPieces(const MeshInput& input, DividedBo
 
 void GarmentMesher::Memory::sew(const MeshInput& input, const std::vector<CheckedSeam>& seams,
                                 const BoundaryDivision& division) {
-    garment.seams.clear();
-    garment.report.seams.clear();
+    garment.seams.resize(seams.size());
+    garment.report.seams.resize(seams.size());
     for (std::size_t s = 0; s < seams.size(); ++s) {
-        garment.seams.push_back(sewnNodes(seams[s], division, garment.pieces));
-        garment.report.seams.push_back(
-            seamReport(input.seams[s], seams[s], garment.seams.back(), division, garment.pieces));
+        meshing::sew(seams[s], division, garment.pieces, garment.seams[s]);
+        garment.report.seams[s] = seamReport(input.seams[s], seams[s], garment.seams[s], division, garment.pieces);
     }
 }
 

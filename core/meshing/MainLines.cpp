@@ -29,6 +29,7 @@ std::vector<double> evenLines(double anchor, double interval, double low, double
     const int first = static_cast<int>(std::floor((low - anchor) / interval - 1e-6)) - 1;
     const int last = static_cast<int>(std::ceil((high - anchor) / interval + 1e-6)) + 1;
     std::vector<double> lines;
+    lines.reserve(static_cast<std::size_t>(std::max(0, last - first + 1)));
     for (int k = first; k <= last; ++k) lines.push_back(anchor + k * interval);
     return lines;
 }
@@ -37,6 +38,8 @@ std::vector<double> evenLines(double anchor, double interval, double low, double
 std::vector<double> linesThroughNodes(const std::vector<double>& places, const std::vector<GrainStretch>& stretches,
                                       double low, double high, const LineSettings& settings) {
     std::vector<double> inner;
+    const double most = settings.mostParts * ((places.back() - places.front()) / settings.spacing + 1);
+    inner.reserve(static_cast<std::size_t>(most) + 2 * places.size());
     double firstGap = settings.spacing, lastGap = settings.spacing;
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
         const double gap = places[i + 1] - places[i];
@@ -53,8 +56,10 @@ std::vector<double> linesThroughNodes(const std::vector<double>& places, const s
     }
     std::vector<double> lines = evenLines(places.front(), firstGap, low, places.front());
     std::erase_if(lines, [&](double line) { return line > places.front() - 0.5 * firstGap; });
+    const std::vector<double> beyond = evenLines(places.back(), lastGap, places.back(), high);
+    lines.reserve(lines.size() + inner.size() + beyond.size());
     lines.insert(lines.end(), inner.begin(), inner.end());
-    for (const double line : evenLines(places.back(), lastGap, places.back(), high))
+    for (const double line : beyond)
         if (line > places.back() - 0.5 * lastGap) lines.push_back(line);
     return lines;
 }

@@ -45,9 +45,9 @@ std::vector<double> heightsOf(const std::vector<Side>& sides) {
     return heights;
 }
 
-/// Length of the common part along a horizontal line.
-double commonLength(const std::vector<Side>& active, double y) {
-    std::vector<std::pair<double, bool>> crossings;
+/// Length of the common part along a horizontal line; `crossings` is room to work in.
+double commonLength(const std::vector<Side>& active, double y, std::vector<std::pair<double, bool>>& crossings) {
+    crossings.clear();
     for (const Side& side : active) crossings.emplace_back(side.xAt(y), side.ofA);
     std::sort(crossings.begin(), crossings.end());
     bool inA = false, inB = false;
@@ -69,12 +69,13 @@ double overlapArea(const std::vector<geometry::Polygon>& a, const std::vector<ge
     std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) { return s.low.y < t.low.y; });
     const std::vector<double> heights = heightsOf(sides);
     std::vector<Side> active;
+    std::vector<std::pair<double, bool>> crossings;
     std::size_t next = 0;
     double area = 0;
     for (std::size_t k = 0; k + 1 < heights.size(); ++k) { // between two heights the length is linear
         while (next < sides.size() && sides[next].low.y <= heights[k]) active.push_back(sides[next++]);
         std::erase_if(active, [&](const Side& side) { return side.high.y <= heights[k]; });
-        area += commonLength(active, 0.5 * (heights[k] + heights[k + 1])) * (heights[k + 1] - heights[k]);
+        area += commonLength(active, 0.5 * (heights[k] + heights[k + 1]), crossings) * (heights[k + 1] - heights[k]);
     }
     return area;
 }

@@ -209,14 +209,20 @@ const std::vector<Stretch>& BoundaryDivision::stretches(int piece, int loop, int
     return stretches_[at(piece)][at(loop)][at(edge)];
 }
 
-std::vector<double> BoundaryDivision::fractions(int piece, int loop, int edge) const {
-    std::vector<double> result{0};
+void BoundaryDivision::listFractions(int piece, int loop, int edge, std::vector<double>& fractions) const {
+    fractions.assign({0});
     for (const Stretch& stretch : stretches(piece, loop, edge)) {
         const int n = count(stretch);
-        for (int k = 1; k < n; ++k) result.push_back(stretch.from + (stretch.to - stretch.from) * k / n);
-        result.push_back(stretch.to);
+        for (int k = 1; k < n; ++k) fractions.push_back(stretch.from + (stretch.to - stretch.from) * k / n);
+        fractions.push_back(stretch.to);
     }
-    return result;
+}
+
+std::size_t BoundaryDivision::mostNodes(int piece, int loop) const {
+    std::size_t most = 1;
+    for (const auto& edge : stretches_[at(piece)][at(loop)])
+        for (const Stretch& stretch : edge) most += at(count(stretch));
+    return most;
 }
 
 void BoundaryDivision::describe(int piece, std::vector<double>& description) const {

@@ -27,8 +27,10 @@ public:
 
     [[nodiscard]] const std::vector<Stretch>& stretches(int piece, int loop, int edge) const;
     [[nodiscard]] int count(const Stretch& stretch) const { return counts_[static_cast<std::size_t>(stretch.group)]; }
-    /// The fractions of the nodes of an edge from 0 to 1.
-    [[nodiscard]] std::vector<double> fractions(int piece, int loop, int edge) const;
+    /// The fractions of the nodes of an edge from 0 to 1, which overwrite the list.
+    void listFractions(int piece, int loop, int edge, std::vector<double>& fractions) const;
+    /// How many nodes a loop has at most.
+    [[nodiscard]] std::size_t mostNodes(int piece, int loop) const;
     /// The stretches of the straight edges along the grain of a piece, by axis.
     [[nodiscard]] GrainStretches grainStretches(const PieceInput& piece, int pieceIndex,
                                                 const PieceBoundary& boundary) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace toile::meshing {
 namespace {
@@ -39,34 +40,50 @@ int sewingPoints(const SeamChain& side, const BoundaryDivision& division) {
     return points;
 }
 
+/// The nodes of an edge that a seam walks along between two fixed points.
+struct SewnStretch {
+    int piece = 0;
+    std::span<const EdgeNode> nodes;
+    bool reversed = false;
+
+    [[nodiscard]] NodeRef operator[](std::size_t i) const {
+        return {piece, nodes[reversed ? nodes.size() - 1 - i : i].node};
+    }
+};
+
+std::vector<SewnStretch> sewnStretches(const SeamChain& side, const BoundaryDivision& division,
+                                       const std::vector<PieceMesh>& pieces) {
+    std::vector<SewnStretch> sewn;
+    for (const ChainPart& part : side.parts) {
+        const SeamPartInput& where = part.part;
+        const EdgeNodes& edge = pieces[at(where.piece)].loops[at(where.loop)][at(where.edge)];
+        const auto first = static_cast<std::ptrdiff_t>(sewn.size());
+        for (const Stretch& stretch : division.stretches(where.piece, where.loop, where.edge)) {
+            const double middle = 0.5 * (stretch.from + stretch.to);
+            if (middle < where.from || middle > where.to) continue;
+            const auto begin = std::find_if(
+                edge.begin(), edge.end(), [&](const EdgeNode& node) { return node.fraction >= stretch.from - 1e-12; });
+            const auto end = std::find_if(begin, edge.end(),
+                                          [&](const EdgeNode& node) { return node.fraction > stretch.to + 1e-12; });
+            sewn.push_back({where.piece, {begin, end}, where.reversed});
+        }
+        if (where.reversed) std::reverse(sewn.begin() + first, sewn.end());
+    }
+    return sewn;
+}
+
 } // namespace
 
-SeamNodes sewnNodes(const CheckedSeam& seam, const BoundaryDivision& division, const std::vector<PieceMesh>& pieces) {
-    std::array<std::vector<std::vector<NodeRef>>, 2> stretches;
-    for (std::size_t side = 0; side < 2; ++side)
-        for (const ChainPart& part : seam.sides[side].parts) {
-            const SeamPartInput& where = part.part;
-            const EdgeNodes& edge = pieces[at(where.piece)].loops[at(where.loop)][at(where.edge)];
-            std::vector<std::vector<NodeRef>> own;
-            for (const Stretch& stretch : division.stretches(where.piece, where.loop, where.edge)) {
-                const double middle = 0.5 * (stretch.from + stretch.to);
-                if (middle < where.from || middle > where.to) continue;
-                auto& list = own.emplace_back();
-                for (const EdgeNode& node : edge)
-                    if (node.fraction >= stretch.from - 1e-12 && node.fraction <= stretch.to + 1e-12)
-                        list.push_back({where.piece, node.node});
-                if (where.reversed) std::reverse(list.begin(), list.end());
-            }
-            if (where.reversed) std::reverse(own.begin(), own.end());
-            stretches[side].insert(stretches[side].end(), own.begin(), own.end());
-        }
-    SeamNodes nodes;
-    for (std::size_t i = 0; i < stretches[0].size(); ++i)
-        for (std::size_t k = 0; k < stretches[0][i].size(); ++k) {
-            const std::array<NodeRef, 2> pair{stretches[0][i][k], stretches[1][i][k]};
+void sew(const CheckedSeam& seam, const BoundaryDivision& division, const std::vector<PieceMesh>& pieces,
+         SeamNodes& nodes) {
+    const std::vector<SewnStretch> a = sewnStretches(seam.sides[0], division, pieces),
+                                   b = sewnStretches(seam.sides[1], division, pieces);
+    nodes.pairs.clear();
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t k = 0; k < a[i].nodes.size(); ++k) {
+            const std::array<NodeRef, 2> pair{a[i][k], b[i][k]};
             if (nodes.pairs.empty() || nodes.pairs.back() != pair) nodes.pairs.push_back(pair);
         }
-    return nodes;
 }
 
 SeamReport seamReport(const SeamInput& input, const CheckedSeam& seam, const SeamNodes& nodes,

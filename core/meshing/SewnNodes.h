@@ -6,9 +6,9 @@
 
 namespace toile::meshing {
 
-/// The nodes along both sides of a seam.
-[[nodiscard]] SeamNodes sewnNodes(const CheckedSeam& seam, const BoundaryDivision& division,
-                                  const std::vector<PieceMesh>& pieces);
+/// Overwrites `nodes` by those along both sides of a seam.
+void sew(const CheckedSeam& seam, const BoundaryDivision& division, const std::vector<PieceMesh>& pieces,
+         SeamNodes& nodes);
 
 /// How alike the two sides of a seam came out.
 [[nodiscard]] SeamReport seamReport(const SeamInput& input, const CheckedSeam& seam, const SeamNodes& nodes,

@@ -2,11 +2,13 @@
 #include <QtTest>
 
 #ifndef Q_MOC_RUN // moc stumbles over the library's concepts
+#include "core/meshing/GarmentMesher.h"
 #include "tests/meshing/MeshFixtures.h"
 #include "tests/meshing/PreparedPiece.h"
 
 #include <atomic>
 #include <cstdlib>
+#include <limits>
 #include <new>
 #include <random>
 #endif
@@ -38,6 +40,7 @@ class tst_PieceMesher : public QObject {
 private slots:
     void meshingAgainAllocatesNothing_data();
     void meshingAgainAllocatesNothing();
+    void moreNodesOfAGarmentTakeNoMoreAllocations();
     void whatWasMeshedBeforeDoesNotMatter();
     void mendingTheStripIsTriangulatingItAnew();
     void aSymmetricPieceGetsASymmetricMesh();
@@ -125,6 +128,29 @@ void tst_PieceMesher::meshingAgainAllocatesNothing() {
     QVERIFY(done);
     QCOMPARE(taken, 0L);
     QVERIFY(mesh == before);
+}
+
+/// Gate, seams and the division of borders take some for each piece, edge and seam, however many nodes they make.
+void tst_PieceMesher::moreNodesOfAGarmentTakeNoMoreAllocations() {
+    const auto allocationsAt = [](double spacing) {
+        const MeshInput input{{bodicePiece(spacing), bodicePiece(spacing)},
+                              {{"side", {{{{0, 0, 1}}, {{1, 0, 1}}}}, {}}}};
+        GarmentMesher mesher({.judged = false});
+        long least = std::numeric_limits<long>::max(); // of several: which thread meshes which piece is chance
+        for (int time = 0; time < 8; ++time) {
+            mesher.forget();
+            const long first = allocations;
+            if (!mesher.mesh(input)) return -1L;
+            least = std::min(least, allocations - first);
+        }
+        return least;
+    };
+    const long coarse = allocationsAt(0.02);
+    qInfo("%ld allocations", coarse);
+    QVERIFY(coarse > 0);
+    QVERIFY(coarse <= 35 * 2 * static_cast<long>(bodicePiece(0.02).outline.size())); // of each edge of both
+    QCOMPARE(allocationsAt(0.01), coarse);
+    QCOMPARE(allocationsAt(0.005), coarse);
 }
 
 void tst_PieceMesher::whatWasMeshedBeforeDoesNotMatter() {
