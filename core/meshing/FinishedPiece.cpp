@@ -31,6 +31,7 @@ void PieceFinisher::run(const PieceFrame& frame, const BoundaryNodes& boundary, 
     listOthers();
     numberNodes(places);
     addRectangles(places);
+    if (streamed_) endStreaming();
     addTriangles();
     addSlaves();
     mesh.loops = boundary.loops;
@@ -79,7 +80,7 @@ void PieceFinisher::addRectangles(const NodePlaces& places) {
     for (const int main : layer_->plain) count += at(lattice_->divisionOf(main) * lattice_->divisionOf(main));
     mesh_->rectangles.resize(count);
     mesh_->display.resize(2 * count + layer_->hangingNodes.size() + at(strip_->sides.triangles()));
-    CellWriter to(mesh_->rectangles.data(), mesh_->display.data(), mirrored_);
+    CellWriter to(mesh_->rectangles.data(), mesh_->display.data(), mirrored_, streamed_);
     to = addedWhole(to);
     if (!lattice_->isUniform()) addDivided(places, to);
     mesh_->rectangles.resize(to.rectangles(mesh_->rectangles.data()));

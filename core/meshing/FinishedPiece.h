@@ -52,6 +52,7 @@ private:
     PieceMesh* mesh_ = nullptr;
     int borderCount_ = 0;
     bool mirrored_ = false;
+    bool streamed_ = false;        ///< the mesh is larger than the caches
     std::size_t displayed_ = 0;    ///< triangles that rectangles are cut in
     std::vector<Hanging> hanging_; ///< by node, rising
     MortonSquare square_;

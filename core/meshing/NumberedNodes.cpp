@@ -21,6 +21,7 @@ struct CornerWriter {
     const double *u, *v;               ///< of the lines
     const Vec2 *alongWeft, *alongWarp; ///< of the lines: their sum is a corner's place
     Vec2 *materials, *points;          ///< by number
+    bool streamed;
 
     [[nodiscard]] int corner(int number, int column, int row) const {
         const std::ptrdiff_t node = row * width + column;
@@ -56,8 +57,14 @@ struct CornerWriter {
             high[1] = number + 3;
             for (int i = 0; i < 4; ++i, ++number) {
                 const int c = column + x + i % 2, r = row + y + i / 2;
-                materials[number] = {u[c], v[r]};
-                points[number] = alongWeft[c] + alongWarp[r];
+                const Vec2 material{u[c], v[r]}, point = alongWeft[c] + alongWarp[r];
+                if (streamed) {
+                    stream(materials + number, material);
+                    stream(points + number, point);
+                } else {
+                    materials[number] = material;
+                    points[number] = point;
+                }
             }
         }
         return number;
@@ -122,6 +129,7 @@ void PieceFinisher::measureLines() {
 
 void PieceFinisher::numberNodes(const NodePlaces& places) {
     const std::size_t count = countNodes();
+    streamed_ = count * (2 * sizeof(Vec2) + sizeof(Rectangle) + 2 * sizeof(std::array<int, 3>)) >= streamedFrom;
     mesh_->nodes.resize(count);
     mesh_->material.resize(count);
     borderNumbers_.resize(at(borderCount_));
@@ -137,8 +145,8 @@ void PieceFinisher::numberNodes(const NodePlaces& places) {
         return number + 1;
     };
     const CornerWriter writer{
-        lattice_->columns() + 1, fill_->inner.data(), fill_->node.data(),     u_.data(),          v_.data(),
-        alongWeft_.data(),       alongWarp_.data(),   mesh_->material.data(), mesh_->nodes.data()};
+        lattice_->columns() + 1, fill_->inner.data(), fill_->node.data(),     u_.data(),           v_.data(),
+        alongWeft_.data(),       alongWarp_.data(),   mesh_->material.data(), mesh_->nodes.data(), streamed_};
     int next = MortonWalk(
                    square_, lattice_->columns() + 1, lattice_->rows() + 1, others_,
                    [writer](int number, int column, int row) { return writer.block(number, column, row); },

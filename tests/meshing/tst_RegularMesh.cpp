@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/meshing/Streaming.h"
 #include "tests/meshing/MeshFixtures.h"
 
 #include <QtTest>
@@ -11,6 +12,7 @@ class tst_RegularMesh : public QObject {
     Q_OBJECT
 private slots:
     void aSquareIsRectanglesOnly();
+    void aSquareLargerThanTheCachesIsWrittenAlike();
     void neighboursOnTheGridAreNearInMemory();
     void aTurnedSquareIsRectanglesAlongItsGrain();
     void everyShapeGivesAValidMesh_data();
@@ -54,6 +56,29 @@ void tst_RegularMesh::aSquareIsRectanglesOnly() {
     QCOMPARE(mesh.rectangles.size(), std::size_t{32 * 32});
     QVERIFY(mesh.triangles.empty());
     QCOMPARE(QString::fromStdString(defectOf(mesh)), QString());
+}
+
+void tst_RegularMesh::aSquareLargerThanTheCachesIsWrittenAlike() {
+    for (const bool mirrored : {false, true}) {
+        PieceInput piece = rectanglePiece(1, 1, 1.0 / 1024);
+        piece.mirrored = mirrored;
+        const auto garment = meshGarment(inputOf(piece), {.judged = false});
+        QVERIFY(garment);
+        const PieceMesh& mesh = garment->pieces[0];
+        QVERIFY(garment->report.total.bytes >= streamedFrom);
+        QCOMPARE(mesh.nodes.size(), std::size_t{1025 * 1025});
+        QCOMPARE(mesh.rectangles.size(), std::size_t{1024 * 1024});
+        QCOMPARE(QString::fromStdString(defectOf(mesh)), QString());
+        int wrong = 0; // a rectangle's size, or what it is displayed as
+        for (std::size_t r = 0; r < mesh.rectangles.size(); ++r) {
+            const auto& [a, b, c, d] = mesh.rectangles[r].nodes;
+            const Vec2 size = mesh.material[static_cast<std::size_t>(c)] - mesh.material[static_cast<std::size_t>(a)];
+            wrong += std::abs(size.x - 1.0 / 1024) > 1e-9 || std::abs(size.y - 1.0 / 1024) > 1e-9;
+            for (const auto& triangle : {mesh.display[2 * r], mesh.display[2 * r + 1]})
+                for (const int node : triangle) wrong += node != a && node != b && node != c && node != d;
+        }
+        QCOMPARE(wrong, 0);
+    }
 }
 
 void tst_RegularMesh::neighboursOnTheGridAreNearInMemory() {
