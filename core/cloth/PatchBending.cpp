@@ -228,6 +228,8 @@ bool appendTwist(ClothModel& model, const Patch& patch, const material::Fabric& 
 } // namespace
 
 bool appendBending(ClothModel& model, const Patch& patch, const material::Fabric& fabric) {
+    const bool limp = fabric.warpBending == 0 && fabric.weftBending == 0 && fabric.biasBending == 0;
+    if (limp) return false;
     BendingBuilder(model, patch, fabric).append();
     return appendTwist(model, patch, fabric);
 }
