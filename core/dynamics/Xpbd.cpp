@@ -2,6 +2,7 @@
 #include "core/dynamics/Xpbd.h"
 
 #include "core/base/Contracts.h"
+#include "core/dynamics/CoarseLevels.h"
 #include "core/dynamics/Eliminated.h"
 #include "core/dynamics/XpbdSweep.h"
 
@@ -27,6 +28,7 @@ struct Xpbd::Data {
     std::vector<double> inverseMass;
     std::vector<Vec3> previous, slavesBefore;
     std::optional<XpbdSweep> sweep;
+    CoarseLevels* levels = nullptr;
     double compiledStep = 0;
 };
 
@@ -47,9 +49,11 @@ Result<void> Xpbd::step(ParticleState& state, double duration, int substeps, con
     const double h = duration / substeps;
     d.compileFor(h);
     for (Stage* stage : stages) stage->beginStep(state, duration);
+    if (d.levels) d.levels->beginStep(state.positions, h, d.settings.stiffnessCap);
     for (int s = 1; s <= substeps; ++s) {
         d.predict(state, h, gravity);
         d.sweep->apply(state.positions);
+        if (d.levels) d.levels->correct(state.positions);
         d.eliminated.place(state.positions);
         if (!stages.empty()) d.runStages(state, h, start.time + s * h, stages);
         d.updateVelocities(state, h);
@@ -113,6 +117,10 @@ void Xpbd::Data::updateVelocities(ParticleState& state, double h) const {
     const double factor = 1 / (h * (1 + settings.damping * h));
     for (std::size_t p = 0; p < state.positions.size(); ++p)
         state.velocities[p] = factor * (state.positions[p] - previous[p]);
+}
+
+void Xpbd::correctBy(CoarseLevels* levels) {
+    data_->levels = levels;
 }
 
 void Xpbd::setSettings(XpbdSettings settings) {

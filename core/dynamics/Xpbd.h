@@ -11,6 +11,8 @@
 
 namespace toile::dynamics {
 
+class CoarseLevels;
+
 struct XpbdSettings {
     double damping = 0.5; ///< mass-proportional: v̇ = −damping·v [1/s]
     double stiffnessCap =
@@ -35,6 +37,8 @@ public:
     [[nodiscard]] Result<void> step(ParticleState& state, double duration, int substeps, const Vec3& gravity,
                                     std::span<Stage* const> stages);
 
+    /// Levels that correct each substep before the sweep; null = none. They are borrowed and outlive this.
+    void correctBy(CoarseLevels* levels);
     void setSettings(XpbdSettings settings);
     /// 1/kg; 0 = pinned, Σ w²/m for a slave.
     [[nodiscard]] std::span<const double> inverseMass() const;
@@ -46,7 +50,7 @@ private:
 };
 
 /// Substeps of a frame step that keep the transport error of a line of `springsOnLine` springs, hanging by one end,
-/// near `error` [m].
+/// near `error` [m]. L coarse levels make n springs as good as n/2^L.
 [[nodiscard]] int substepsFor(double frameStep, int springsOnLine, double gravity, double error = 0.002);
 
 /// The longest chain of springs a load has to travel: the largest number of edges from any particle to the nearest

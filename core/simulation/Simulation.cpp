@@ -2,6 +2,7 @@
 #include "core/simulation/Simulation.h"
 
 #include "core/simulation/CarryOver.h"
+#include "core/simulation/LevelsOf.h"
 #include "core/simulation/PlanOf.h"
 #include "core/simulation/SeamClosing.h"
 #include "core/simulation/Topology.h"
@@ -99,9 +100,11 @@ void addCosts(std::vector<StepPlan::StageCost>& sum, const std::vector<StepPlan:
 
 } // namespace
 
-Simulation::Simulation(Scene scene, Garment garment, std::shared_ptr<const collision::BodySurface> body)
+Simulation::Simulation(Scene scene, Garment garment, std::shared_ptr<const collision::BodySurface> body,
+                       MeshOverrides overrides)
     : scene_(std::move(scene)), garment_(std::make_unique<const Garment>(std::move(garment))), body_(std::move(body)),
-      topology_(topologyOf(scene_.pattern, *garment_->mesh)), grips_(std::make_shared<std::vector<Grip>>()) {
+      topology_(topologyOf(scene_.pattern, *garment_->mesh)), grips_(std::make_shared<std::vector<Grip>>()),
+      overrides_(std::move(overrides)) {
     state_.positions = particlePositions(garment_->particles, placedNodes(scene_.pattern, *garment_->mesh));
     state_.velocities.assign(state_.positions.size(), Vec3{});
     for (std::size_t seam = 0; seam < garment_->mesh->seams.size(); ++seam) {
@@ -122,7 +125,7 @@ Result<Simulation> Simulation::create(Scene scene, const MeshOverrides& override
     if (!body) return tl::unexpected(body.error());
     auto garment = flatGarment(scene, overrides);
     if (!garment) return tl::unexpected(garment.error());
-    return Simulation(std::move(scene), std::move(*garment), std::move(*body));
+    return Simulation(std::move(scene), std::move(*garment), std::move(*body), overrides);
 }
 
 Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) {
@@ -132,7 +135,7 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) 
     if (!body) return tl::unexpected(body.error());
     auto garment = flatGarment(scene, {});
     if (!garment) return tl::unexpected(garment.error());
-    Simulation after(std::move(scene), std::move(*garment), std::move(*body));
+    Simulation after(std::move(scene), std::move(*garment), std::move(*body), {});
 
     const std::vector<Vec3> draped = before.nodePositions();
     std::vector<Vec3> nodes = after.nodePositions();
@@ -180,17 +183,49 @@ void Simulation::rebuildPlan() {
     }
     xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model,
                                              dynamics::XpbdSettings{.damping = plannedDamping_, .speedLimit = 10});
-    substeps_ = scene_.settings.substeps > 0
-                    ? scene_.settings.substeps
-                    : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
-                                            length(scene_.settings.gravity));
-    if (!grips_->empty() && scene_.settings.substeps == 0) substeps_ = std::max(substeps_, handSubsteps);
-    if (phase_ == Phase::sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
+    planSubsteps();
     integrator_.reset();
     calmingFrames_ = 0;
     if (phase_ == Phase::sewing || !drapingMethod_ || *drapingMethod_ == dynamics::Method::xpbd) return;
     if (!phases_.empty() && phases_.back().method == dynamics::nameOf(dynamics::Method::xpbd)) calmingFrames_ = calming;
     integrator_ = integratorOf(calmingFrames_ > 0 ? dynamics::Method::backwardEuler : *drapingMethod_);
+}
+
+/// Substeps of position-based steps, and the coarse levels that make them few.
+void Simulation::planSubsteps() {
+    const bool sewing = phase_ == Phase::sewing;
+    substeps_ = scene_.settings.substeps > 0
+                    ? scene_.settings.substeps
+                    : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
+                                            length(scene_.settings.gravity));
+    const int levels = coarseLevelsFor(substeps_);
+    plannedLevels_ = levelsMayHelp();
+    if (sewing) plan_.leaveOut("coarse levels", "cloth that yields sews well");
+    else if (scene_.settings.substeps > 0) plan_.leaveOut("coarse levels", "the scene says how many substeps");
+    else if (drapingMethod_ != dynamics::Method::xpbd) plan_.leaveOut("coarse levels", "no position-based steps");
+    else if (levels == 0) plan_.leaveOut("coarse levels", fmt::format("{} substeps suffice", substeps_));
+    else if (!plannedLevels_) plan_.leaveOut("coarse levels", "the cloth did not come to rest by them");
+    else correctByLevels(levels);
+    if (!grips_->empty() && scene_.settings.substeps == 0) substeps_ = std::max(substeps_, handSubsteps);
+    if (sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
+}
+
+/// Fine cloth may go on trembling by levels where it is crumpled; hands move it anyway.
+bool Simulation::levelsMayHelp() const {
+    return !grips_->empty() || state_.time <= sewnTime_ + dressing.shakingTime + dressing.levelsTime;
+}
+
+void Simulation::correctByLevels(int levels) {
+    if (!levels_ || levels_->count() != levels) {
+        auto made = levelsOf(scene_.pattern, overrides_, *garment_, levels);
+        if (!made) {
+            plan_.leaveOut("coarse levels", toString(made.error()));
+            return;
+        }
+        levels_ = std::move(*made);
+    }
+    xpbd_->correctBy(levels_.get());
+    substeps_ = (substeps_ + (1 << levels) - 1) >> levels;
 }
 
 std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method method) const {
@@ -293,6 +328,7 @@ Result<void> Simulation::mergeReadySeams() {
     if (!sewn) return tl::unexpected(sewn.error());
     state_ = merged(state_, *garment_, *sewn);
     garment_ = std::make_unique<const Garment>(std::move(*sewn));
+    levels_.reset();
     for (std::size_t seam = 0; seam < seams_.size(); ++seam) seams_[seam].merged = garment_->mergedSeams[seam];
     rebuildPlan();
     return {};
@@ -303,7 +339,9 @@ void Simulation::goOnDressing() {
     startDueSeams();
     const Phase due = duePhase();
     if (due != phase_ && phase_ == Phase::sewing) sewnTime_ = state_.time;
-    if (due == phase_ && closingSeams().size() == closing && damping() == plannedDamping_) return;
+    if (due == phase_ && closingSeams().size() == closing && damping() == plannedDamping_ &&
+        levelsMayHelp() == plannedLevels_)
+        return;
     phase_ = due;
     rebuildPlan();
 }
@@ -340,8 +378,9 @@ std::vector<StepPlan::StageCost> Simulation::stageCosts() const {
         if (const auto* stage = plan_.find(cost.name)) cost.bytes = stage->bytes();
     double inStages = 0;
     for (const StepPlan::StageCost& cost : costs) inStages += cost.seconds;
-    costs.push_back({"cloth", std::max(0.0, allSeconds_ - inStages),
-                     (xpbd_ ? xpbd_->bytes() : 0) + (integrator_ ? integrator_->bytes() : 0)});
+    costs.push_back(
+        {"cloth", std::max(0.0, allSeconds_ - inStages),
+         (xpbd_ ? xpbd_->bytes() : 0) + (levels_ ? levels_->bytes() : 0) + (integrator_ ? integrator_->bytes() : 0)});
     return costs;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/collision/BodySurface.h"
+#include "core/dynamics/CoarseLevels.h"
 #include "core/dynamics/Method.h"
 #include "core/dynamics/Statics.h"
 #include "core/dynamics/Xpbd.h"
@@ -48,6 +49,7 @@ struct DressingSettings {
     double stiffeningTime = 0.5; ///< for which this damping goes on, as the cloth then no longer yields [s]
     double shakingDamping = 3;   ///< mass-proportional, after that [1/s]
     double shakingTime = 2.0;    ///< from the last seam on [s]
+    double levelsTime = 4;       ///< of draping by coarse levels; cloth that has not come to rest goes on without [s]
     int sewingSubsteps = 20;     ///< of a frame step at most, while seams close: yielding cloth sews well
 };
 
@@ -119,9 +121,13 @@ public:
     [[nodiscard]] Frame frame() const;
 
 private:
-    Simulation(Scene scene, Garment garment, std::shared_ptr<const collision::BodySurface> body);
+    Simulation(Scene scene, Garment garment, std::shared_ptr<const collision::BodySurface> body,
+               MeshOverrides overrides);
 
     void rebuildPlan();
+    void planSubsteps();
+    void correctByLevels(int levels);
+    [[nodiscard]] bool levelsMayHelp() const;
     [[nodiscard]] Result<dynamics::StepReport> moveCloth(double duration, std::stop_token stop);
     [[nodiscard]] std::unique_ptr<dynamics::Integrator> integratorOf(dynamics::Method method) const;
     [[nodiscard]] double damping() const; ///< of the phase [1/s]
@@ -142,6 +148,8 @@ private:
     dynamics::ParticleState state_;
     std::shared_ptr<std::vector<Grip>> grips_; ///< never null; the plan's stage reads it
     StepPlan plan_;
+    MeshOverrides overrides_;
+    std::unique_ptr<dynamics::CoarseLevels> levels_; ///< of this garment; null until they are needed
     std::unique_ptr<dynamics::Xpbd> xpbd_;
     std::optional<dynamics::Method> drapingMethod_ = dynamics::Method::xpbd;
     std::unique_ptr<dynamics::Integrator> integrator_; ///< while another method than XPBD is at work
@@ -154,6 +162,7 @@ private:
     bool goesOnAsItLay_ = false; ///< after an edit of a garment that lay: dressed as long as its seams close at once
     double sewnTime_ = 0;        ///< when the last seam was closed or given up [s]
     double plannedDamping_ = 0;  ///< that of the plan [1/s]
+    bool plannedLevels_ = false; ///< levelsMayHelp() as it was planned
     int substeps_ = 0, steps_ = 0;
     double largestSpeed_ = 0, restingTime_ = 0;
     double stepSeconds_ = 0, allSeconds_ = 0;      ///< wall time of the last frame step, of all

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/LevelMesh.h"
+#include "core/dynamics/Prolongation.h"
+
+#include <cstddef>
+#include <span>
+
+namespace toile::dynamics {
+
+using geometry::Vec3;
+
+/// Carries tension over long ways at once: the same cloth at 2, 4, 8 … times the spacing, corrected before the sweep of
+/// each position-based substep, from the coarsest down.
+///
+/// With L levels the transport error of a line of n springs is that of n/2^L. A coarse triangle acts where it is taut,
+/// along warp and weft, and against shear; each level has only the stiffness that the finer ones cannot have within the
+/// cap. Linear and angular momentum are kept. Ref: docs/physics/xpbd.md
+class CoarseLevels {
+public:
+    /// coarser: finest first; mass and inverseMass of the fine particles (0 = pinned).
+    CoarseLevels(const LevelMesh& fine, std::span<const LevelMesh> coarser, std::span<const double> mass,
+                 std::span<const double> inverseMass);
+
+    /// Once before the substeps of a frame step, of length h [s]; cap κ of XpbdSettings.
+    void beginStep(std::span<const Vec3> positions, double h, double cap);
+    /// Moves what is not pinned.
+    void correct(std::span<Vec3> positions);
+
+    [[nodiscard]] int count() const { return static_cast<int>(levels_.size()); }
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    using PerStrain = std::array<double, 3>; ///< weft, warp, shear
+
+    struct Triangle {
+        std::array<int, 3> particles{};
+        std::array<double, 3> u{}, v{}; ///< F_u = Σ u·x, F_v = Σ v·x [1/m]
+        double area = 0;                ///< [m²]
+        int parent = -1;                ///< in the next coarser level
+        double share = 0;               ///< of its parent's area [–]
+        PerStrain modulus{};            ///< of the fabric [N/m]
+    };
+    /// What a coarse triangle does in a substep.
+    struct Action {
+        PerStrain factors{}; ///< 1/(w + compliance); 0 = nothing is missing
+        double weft = 0,
+               warp = 0;  ///< |F_u|, |F_v| of its corners when the cloth in it is flat; infinite while it is folded
+        double shear = 0; ///< F_u·F_v of its corners when the cloth in it is not sheared
+    };
+    struct Level {
+        std::vector<double> mass, inverseMass;
+        std::vector<Triangle> triangles; ///< in the order of the sweep
+        Prolongation toFiner;
+        std::vector<Action> actions;
+        std::vector<Vec3> positions, before; ///< now, and before this level's sweep
+        std::vector<Vec3> meanU, meanV;      ///< F_u, F_v of each triangle, the mean over the cloth in it
+    };
+
+    void compileFor(double h, double cap);
+    void gather(std::span<const Vec3> positions);
+    void measure(std::span<const Vec3> positions);
+    static void sweep(Level& level);
+
+    std::vector<Triangle> fine_;
+    std::vector<double> mass_, inverseMass_;
+    std::vector<Level> levels_; ///< finest first
+    double compiledStep_ = 0, compiledCap_ = 0;
+};
+
+} // namespace toile::dynamics

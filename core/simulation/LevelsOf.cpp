@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/LevelsOf.h"
+
+#include "core/dynamics/Eliminated.h"
+
+namespace toile::simulation {
+
+int coarseLevelsFor(int substeps) {
+    constexpr int bearable = 60, fewest = 20;
+    if (substeps <= bearable) return 0;
+    int levels = 0;
+    while (substeps >> (levels + 1) >= fewest) ++levels;
+    return levels;
+}
+
+dynamics::LevelMesh levelMeshOf(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh,
+                                const std::vector<bool>& mergedSeams) {
+    const ParticleMap map = particleMap(mesh, mergedSeams);
+    dynamics::LevelMesh level{map.particleCount, {}};
+    for (std::size_t i = 0; i < mesh.pieces.size(); ++i) {
+        const meshing::PieceMesh& piece = mesh.pieces[i];
+        const material::Fabric& fabric = *pattern::findFabric(pattern, pattern.pieces[i]->fabric);
+        for (const auto& nodes : piece.display) {
+            dynamics::LevelTriangle t{.patch = static_cast<int>(i),
+                                      .weft = fabric.weftStiffness,
+                                      .warp = fabric.warpStiffness,
+                                      .shear = fabric.shearStiffness};
+            for (int k = 0; k < 3; ++k) {
+                t.particles[k] = map.particle({t.patch, nodes[k]});
+                t.material[k] = piece.material[nodes[k]];
+            }
+            if (areaOf(t) > 0) level.triangles.push_back(t);
+        }
+    }
+    return level;
+}
+
+Result<std::vector<meshing::GarmentMesh>> coarserMeshes(const meshing::MeshInput& fine, int levels) {
+    std::vector<meshing::GarmentMesh> meshes;
+    meshing::MeshInput input = fine;
+    for (meshing::PieceInput& piece : input.pieces) piece.regions.clear();
+    for (int level = 0; level < levels; ++level) {
+        for (meshing::PieceInput& piece : input.pieces) piece.spacing *= 2;
+        auto mesh = meshing::meshGarment(input, {.judged = false});
+        if (!mesh) return tl::unexpected(mesh.error());
+        meshes.push_back(std::move(*mesh));
+    }
+    return meshes;
+}
+
+Result<std::unique_ptr<dynamics::CoarseLevels>>
+levelsOf(const pattern::Pattern& pattern, const MeshOverrides& overrides, const Garment& garment, int levels) {
+    const auto input = meshInputOf(pattern, overrides);
+    if (!input) return tl::unexpected(input.error());
+    const auto coarser = coarserMeshes(*input, levels);
+    if (!coarser) return tl::unexpected(coarser.error());
+    std::vector<dynamics::LevelMesh> meshes;
+    for (const meshing::GarmentMesh& mesh : *coarser) meshes.push_back(levelMeshOf(pattern, mesh, garment.mergedSeams));
+    return std::make_unique<dynamics::CoarseLevels>(levelMeshOf(pattern, *garment.mesh, garment.mergedSeams), meshes,
+                                                    garment.model.mass,
+                                                    dynamics::Eliminated(garment.model).inverseMass());
+}
+
+} // namespace toile::simulation

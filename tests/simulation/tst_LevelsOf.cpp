@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SmallScenes.h"
+#include "core/dynamics/Prolongation.h"
+#include "core/simulation/LevelsOf.h"
+#include "core/simulation/Simulation.h"
+
+#include <QtTest>
+#include <algorithm>
+
+using namespace toile;
+using namespace toile::simulation;
+
+/// The hierarchy above a garment: made of the same pattern, sewn alike, and only where a scene needs it.
+class tst_LevelsOf : public QObject {
+    Q_OBJECT
+private slots:
+    void levelsGrowWithTheSubstepsTheySpare() {
+        QCOMPARE(coarseLevelsFor(13), 0);
+        QCOMPARE(coarseLevelsFor(60), 0);
+        QCOMPARE(coarseLevelsFor(61), 1);
+        QCOMPARE(coarseLevelsFor(94), 2);  // the blouse at 10 mm
+        QCOMPARE(coarseLevelsFor(138), 2); // at 7 mm
+        QCOMPARE(coarseLevelsFor(160), 3);
+    }
+
+    void coarseMeshesAreSewnAsTheGarmentIs() {
+        const Scene scene = twoSquares(0.02);
+        const auto input = meshInputOf(scene.pattern);
+        QVERIFY(input);
+        const auto coarser = coarserMeshes(*input, 2);
+        QVERIFY(coarser);
+        QCOMPARE(coarser->size(), std::size_t(2));
+        std::vector<int> particles;
+        for (const auto& mesh : *coarser) {
+            const auto apart = levelMeshOf(scene.pattern, mesh, {false}),
+                       sewn = levelMeshOf(scene.pattern, mesh, {true});
+            QVERIFY(sewn.particles < apart.particles);
+            QCOMPARE(sewn.triangles.size(), apart.triangles.size());
+            particles.push_back(sewn.particles);
+        }
+        QVERIFY(particles[1] * 2 < particles[0]);
+    }
+
+    /// The area of the cloth is that of the pieces on every level, and all mass arrives on it.
+    void everyParticleHasItsPlaceOnTheCoarseLevel() {
+        const Scene scene = twoSquares(0.02);
+        const auto input = meshInputOf(scene.pattern);
+        auto mesh = meshing::meshGarment(*input);
+        QVERIFY(mesh);
+        const auto coarser = coarserMeshes(*input, 1);
+        const auto fine = levelMeshOf(scene.pattern, *mesh, {true}),
+                   coarse = levelMeshOf(scene.pattern, coarser->front(), {true});
+        const auto areaOfAll = [](const dynamics::LevelMesh& level) {
+            double sum = 0;
+            for (const auto& t : level.triangles) sum += areaOf(t);
+            return sum;
+        };
+        QVERIFY(std::abs(areaOfAll(fine) - areaOfAll(coarse)) < 1e-9); // straight borders
+        const auto carried = dynamics::prolongation(fine, coarse);
+        for (int p = 0; p < fine.particles; ++p) {
+            double sum = 0;
+            for (const auto& term : carried.of(p)) sum += term.weight;
+            QVERIFY(std::abs(sum - 1) < 1e-12);
+        }
+    }
+
+    void aShortLineNeedsNone() {
+        const auto simulation = Simulation::create(alone(0.05));
+        QVERIFY(simulation);
+        QVERIFY(reasonIn(*simulation).ends_with("substeps suffice"));
+    }
+
+    void whoSaysTheSubstepsGetsThem() {
+        Scene scene = alone(0.005);
+        scene.settings.substeps = 100;
+        const auto simulation = Simulation::create(scene);
+        QVERIFY(simulation);
+        QCOMPARE(simulation->substeps(), 100);
+        QCOMPARE(reasonIn(*simulation), std::string("the scene says how many substeps"));
+    }
+
+    void otherMethodsNeedNone() {
+        auto simulation = Simulation::create(alone(0.005));
+        QVERIFY(simulation);
+        simulation->drapeWith(dynamics::Method::trBdf2);
+        QCOMPARE(reasonIn(*simulation), std::string("no position-based steps"));
+    }
+
+    /// A sheet of 0.2 m at 4 mm hangs from two corners: by levels in a quarter of the substeps where it hangs without.
+    void aFineSheetHangsInFewSubsteps() {
+        Scene scene = alone(0.004);
+        const auto& outline = scene.pattern.pieces[0]->outline;
+        for (const std::size_t corner : {2, 3})
+            scene.pattern.pins.push_back({.id = pattern::PinId{"pin " + std::to_string(corner)},
+                                          .piece = scene.pattern.pieces[0]->id,
+                                          .vertex = outline.vertices[corner].id});
+        scene.settings.gravity = {0, -9.81, 0};
+        scene.settings.damping = 10;
+        auto few = Simulation::create(scene);
+        QVERIFY(few);
+        QCOMPARE(reasonIn(*few), std::string());
+        Scene plain = scene;
+        plain.settings.substeps = 4 * few->substeps();
+        auto many = Simulation::create(plain);
+        QVERIFY(many);
+        while (few->state().time < 1) QVERIFY(few->advance() && many->advance());
+        double apart = 0;
+        for (std::size_t p = 0; p < few->state().positions.size(); ++p)
+            apart = std::max(apart, geometry::distance(few->state().positions[p], many->state().positions[p]));
+        QVERIFY2(apart < 0.002, qPrintable(QString::number(apart)));
+    }
+
+    void clothThatDoesNotRestGoesOnWithout() {
+        Scene scene = alone(0.02);
+        scene.settings.gravity = {0, -9.81, 0};
+        scene.settings.frameStep = 0.1; // many substeps of few particles
+        scene.pattern.pins.push_back({.id = pattern::PinId{"pin"},
+                                      .piece = scene.pattern.pieces[0]->id,
+                                      .vertex = scene.pattern.pieces[0]->outline.vertices[2].id});
+        auto simulation = Simulation::create(scene);
+        QVERIFY(simulation);
+        QCOMPARE(reasonIn(*simulation), std::string());
+        const int few = simulation->substeps();
+        while (simulation->state().time < 6.2) QVERIFY(simulation->advance());
+        QCOMPARE(reasonIn(*simulation), std::string("the cloth did not come to rest by them"));
+        QVERIFY(simulation->substeps() >= 2 * few);
+    }
+
+private:
+    static Scene alone(double spacing) {
+        Scene scene = twoSquares(spacing);
+        scene.pattern.pieces.pop_back();
+        scene.pattern.seams.clear();
+        return scene;
+    }
+    static std::string reasonIn(const Simulation& simulation) {
+        const auto& left = simulation.plan().leftOut();
+        const auto found = std::ranges::find(left, "coarse levels", &LeftOut::stage);
+        return found == left.end() ? "" : found->why;
+    }
+};
+
+QTEST_GUILESS_MAIN(tst_LevelsOf)
+#include "tst_LevelsOf.moc"
