@@ -51,21 +51,12 @@ CellSides sidesOf(const MembraneCell& c, Positions x) {
     return cellSides(c, {x[c.particles[0]], x[c.particles[1]], x[c.particles[2]], x[c.particles[3]]});
 }
 
-/// Both ends in one place leave a spring no direction: it takes one of its own, so that it parts them, and always the
-/// same way.
-Vec3 ownDirection(const Spring& s) {
-    constexpr double goldenAngle = 2.399963229728653; // [rad]
-    const double turn = goldenAngle * (s.a + 1), height = std::sin(goldenAngle * (s.b + 1));
-    const double across = std::sqrt(1 - height * height);
-    return {across * std::cos(turn), height, across * std::sin(turn)};
-}
-
 void addForcesOf(const std::vector<Spring>& springs, Positions x, std::span<Vec3> forces) {
     for (const Spring& s : springs) {
         const Vec3 d = x[s.b] - x[s.a];
         const double length = geometry::length(d);
         const Vec3 force = length > 0 ? (s.stiffness * (length - s.restLength) / length) * d
-                                      : -s.stiffness * s.restLength * ownDirection(s);
+                                      : -s.stiffness * s.restLength * ownDirection(s.a, s.b);
         forces[s.a] += force;
         forces[s.b] -= force;
     }
@@ -88,6 +79,13 @@ void addForcesOf(const std::vector<Hinge>& hinges, Positions x, std::span<Vec3> 
 }
 
 } // namespace
+
+Vec3 ownDirection(int a, int b) {
+    constexpr double goldenAngle = 2.399963229728653; // [rad]
+    const double turn = goldenAngle * (a + 1), height = std::sin(goldenAngle * (b + 1));
+    const double across = std::sqrt(1 - height * height);
+    return {across * std::cos(turn), height, across * std::sin(turn)};
+}
 
 ElasticEnergy elasticEnergy(const ClothModel& model, Positions x) {
     ElasticEnergy e;

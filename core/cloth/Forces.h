@@ -25,6 +25,10 @@ struct ElasticEnergy {
 /// Adds −∂E/∂x [N], |particles|. A slave's share stays with the slave: see gatherToMasters.
 void addForces(const ClothModel& model, std::span<const Vec3> positions, std::span<Vec3> forces);
 
+/// Both ends in one place leave a spring no direction: it takes one of its own, so that it parts them, and always the
+/// same way. Of unit length.
+[[nodiscard]] Vec3 ownDirection(int a, int b);
+
 enum class HessianForm {
     exact,     ///< may be indefinite where cloth is compressed
     projected, ///< each element's negative part is left out: positive semi-definite

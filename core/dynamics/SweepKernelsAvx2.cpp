@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cloth/Forces.h"
 #include "core/dynamics/SweepKernels.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)

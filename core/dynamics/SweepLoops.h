@@ -3,6 +3,7 @@
 
 // The loops of a sweep. Compiled once for each kind of processor by the files that include it.
 
+#include "core/cloth/Forces.h"
 #include "core/dynamics/SweepKernels.h"
 #include "core/dynamics/SweepLanes.h"
 
@@ -27,7 +28,8 @@ void sweepSprings(Place* places, std::span<const FourSprings> springs) {
         if (any(length < shortest)) [[unlikely]]
             for (int i = 0; i < 4; ++i)
                 if (length[i] < shortest) {
-                    d[i] = Four{0, shortest, 0, 0}; // any fixed direction parts two particles in one place
+                    const Vec3 own = cloth::ownDirection(s.a[i], s.b[i]);
+                    d[i] = Four{shortest * own.x, shortest * own.y, shortest * own.z, 0};
                     length[i] = shortest;
                 }
         const Four factor = load(s.share) * (length - load(s.restLength)) / length;
