@@ -38,7 +38,7 @@ Xpbd& Xpbd::operator=(Xpbd&&) noexcept = default;
 Xpbd::~Xpbd() = default;
 
 Result<void> Xpbd::step(ParticleState& state, double duration, int substeps, const Vec3& gravity,
-                        std::span<Stage* const> stages) {
+                        std::span<Stage* const> stages, std::stop_token stop) {
     Data& d = *data_;
     expects(state.positions.size() == d.model.mass.size(), "one position per particle");
     expects(duration > 0 && substeps > 0, "a step takes time");
@@ -51,6 +51,10 @@ Result<void> Xpbd::step(ParticleState& state, double duration, int substeps, con
     for (Stage* stage : stages) stage->beginStep(state, duration);
     if (d.levels) d.levels->beginStep(state.positions, h, d.settings.stiffnessCap);
     for (int s = 1; s <= substeps; ++s) {
+        if (stop.stop_requested()) {
+            state = start;
+            return fail(ErrorCode::cancelled, "The step was stopped.");
+        }
         d.predict(state, h, gravity);
         d.sweep->apply(state.positions);
         if (d.levels) d.levels->correct(state.positions);

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <stop_token>
 
 namespace toile::dynamics {
 
@@ -33,11 +34,13 @@ public:
     ~Xpbd();
 
     /// Advances by duration [s] in equal substeps. Pinned particles stay; slaves follow their masters, and what a
-    /// stage does to a slave is handed to its masters. Error with step and particle when a number is not finite.
+    /// stage does to a slave is handed to its masters. Error with step and particle when a number is not finite;
+    /// stopped between two substeps it is cancelled. After an error the state is as before.
     [[nodiscard]] Result<void> step(ParticleState& state, double duration, int substeps, const Vec3& gravity,
-                                    std::span<Stage* const> stages);
+                                    std::span<Stage* const> stages, std::stop_token stop = {});
 
-    /// Levels that correct each substep before the sweep; null = none. They are borrowed and outlive this.
+    /// Levels that correct each substep between the sweep and the stages; null = none. They are borrowed and outlive
+    /// this.
     void correctBy(CoarseLevels* levels);
     void setSettings(XpbdSettings settings);
     /// 1/kg; 0 = pinned, Σ w²/m for a slave.

@@ -8,9 +8,10 @@ XpbdIntegrator::XpbdIntegrator(const cloth::ClothModel& model, XpbdSettings sett
       longestLine_(substeps > 0 ? 0 : springsOnLongestLine(model)) {}
 
 Result<StepReport> XpbdIntegrator::advance(ParticleState& state, double duration, const Vec3& gravity,
-                                           std::span<Stage* const> stages, std::stop_token) {
+                                           std::span<Stage* const> stages, std::stop_token stop) {
     const int substeps = substeps_ > 0 ? substeps_ : substepsFor(duration, longestLine_, length(gravity));
-    if (auto done = xpbd_.step(state, duration, substeps, gravity, stages); !done) return tl::unexpected(done.error());
+    if (auto done = xpbd_.step(state, duration, substeps, gravity, stages, stop); !done)
+        return tl::unexpected(done.error());
     return StepReport{.parts = substeps};
 }
 

@@ -87,9 +87,9 @@ private:
             if (pushed_.exchange(false) && stands()) playUntil_ = simulation_->state().time + atLeast;
             if (mayStep) {
                 --steps_;
-                advance();
+                advance(stop);
             } else if (mayPlay && playing_ && stands() && !rests()) {
-                advance();
+                advance(stop);
             } else {
                 idleSince_ = seen;
                 signal_.wait(seen); // returns at once when something was ordered meanwhile
@@ -129,9 +129,9 @@ private:
         publish({});
     }
 
-    void advance() {
+    void advance(std::stop_token stop) {
         if (!stands()) return;
-        const auto advanced = simulation_->advance();
+        const auto advanced = simulation_->advance(stop);
         if (advanced) publish({});
         else stopWith(toString(advanced.error()));
     }

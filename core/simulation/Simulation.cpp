@@ -260,7 +260,7 @@ void Simulation::hold(std::vector<Grip> grips) {
 
 Result<dynamics::StepReport> Simulation::moveCloth(double duration, std::stop_token stop) {
     if (integrator_) return integrator_->step(state_, duration, gravity(), plan_.stages(), stop);
-    if (auto done = xpbd_->step(state_, duration, substeps_, gravity(), plan_.stages()); !done)
+    if (auto done = xpbd_->step(state_, duration, substeps_, gravity(), plan_.stages(), stop); !done)
         return tl::unexpected(done.error());
     return dynamics::StepReport{.parts = substeps_};
 }

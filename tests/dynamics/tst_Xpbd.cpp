@@ -73,6 +73,26 @@ private slots:
         QVERIFY(std::abs(c.state.time - 0.5) < 1e-12);
     }
 
+    void aStoppedStepLeavesTheStateAsItWas() {
+        Cloth c = horizontal(square(6), wovenFabric(), {0, 6});
+        /// Asks for a stop in the third substep.
+        struct Stopping : Hand {
+            std::stop_source source;
+            int substeps = 0;
+            void project(dynamics::Substep&) override {
+                if (++substeps == 3) source.request_stop();
+            }
+        } stage;
+        dynamics::Stage* stages[] = {&stage};
+        const ParticleState before = c.state;
+        dynamics::Xpbd xpbd(c.model, {});
+        const auto stopped = xpbd.step(c.state, 1.0 / 60, 10, gravity, stages, stage.source.get_token());
+        QVERIFY(!stopped && stopped.error().code == ErrorCode::cancelled);
+        QCOMPARE(stage.substeps, 3);
+        QVERIFY(c.state.positions == before.positions && c.state.velocities == before.velocities);
+        QCOMPARE(c.state.time, before.time);
+    }
+
     void theSameStartGivesTheSameBits() {
         std::array<std::vector<Vec3>, 2> ends;
         for (auto& end : ends) {
