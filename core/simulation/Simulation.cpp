@@ -98,6 +98,11 @@ void addCosts(std::vector<StepPlan::StageCost>& sum, const std::vector<StepPlan:
     }
 }
 
+/// When a garment was sewn that has been dressed, and left by its coarse levels, by now.
+double longSewn(double now) {
+    return now - 1 - dressing.shakingTime - dressing.levelsTime;
+}
+
 } // namespace
 
 Simulation::Simulation(Scene scene, Garment garment, std::shared_ptr<const collision::BodySurface> body,
@@ -338,7 +343,8 @@ void Simulation::goOnDressing() {
     const std::size_t closing = closingSeams().size();
     startDueSeams();
     const Phase due = duePhase();
-    if (due != phase_ && phase_ == Phase::sewing) sewnTime_ = state_.time;
+    if (due != phase_ && phase_ == Phase::sewing)
+        sewnTime_ = goesOnAsItLay_ ? longSewn(state_.time) : state_.time; // what lay needs no levels to fall
     if (due == phase_ && closingSeams().size() == closing && damping() == plannedDamping_ &&
         levelsMayHelp() == plannedLevels_)
         return;
