@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace toile::dynamics {
 namespace {
@@ -88,6 +89,15 @@ CoarseLevels::CoarseLevels(const LevelMesh& fine, std::span<const LevelMesh> coa
         finer = &mesh;
         finerOrder = order;
     }
+}
+
+double CoarseLevels::lightest() const {
+    double least = infinite;
+    for (const Level& level : levels_) {
+        const double mean = std::accumulate(level.mass.begin(), level.mass.end(), 0.0) / double(level.mass.size());
+        for (const double m : level.mass) least = std::min(least, m / mean);
+    }
+    return least;
 }
 
 void CoarseLevels::beginStep(std::span<const Vec3> positions, double h, double cap) {

@@ -28,6 +28,9 @@ public:
     /// Moves what is not pinned.
     void correct(std::span<Vec3> positions);
 
+    /// The least mass of a coarse particle over the mean of its level. Near zero where a piece is narrower than the
+    /// cells of a level: such a particle stands for no cloth, and what acts on it flings it.
+    [[nodiscard]] double lightest() const;
     [[nodiscard]] int count() const { return static_cast<int>(levels_.size()); }
     [[nodiscard]] std::size_t bytes() const;
 

@@ -227,6 +227,11 @@ void Simulation::correctByLevels(int levels) {
             plan_.leaveOut("coarse levels", toString(made.error()));
             return;
         }
+        constexpr double leastMass = 0.05; // of the mean; the samples have 0.19 and more
+        if ((*made)->lightest() < leastMass) {
+            plan_.leaveOut("coarse levels", "a piece is narrower than their cells");
+            return;
+        }
         levels_ = std::move(*made);
     }
     xpbd_->correctBy(levels_.get());

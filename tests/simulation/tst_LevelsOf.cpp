@@ -23,6 +23,19 @@ private slots:
         QCOMPARE(coarseLevelsFor(160), 3);
     }
 
+    void aStrapNarrowerThanTheirCellsHasNone() { // S34 of the stability suite
+        Scene scene = twoSquares(0.02);
+        scene.settings.gravity = {0, -9.81, 0};
+        scene.pattern.seams.clear();
+        scene.pattern.pieces = {polygonPiece("strap", {{0, 0}, {0.005, 0}, {0.005, 1}, {0, 1}}, 0.005)};
+        const auto simulation = Simulation::create(scene);
+        QVERIFY(simulation);
+        const auto& left = simulation->plan().leftOut();
+        const auto why = std::ranges::find(left, "coarse levels", &LeftOut::stage);
+        QVERIFY(why != left.end());
+        QCOMPARE(why->why, std::string("a piece is narrower than their cells"));
+    }
+
     void coarseMeshesAreSewnAsTheGarmentIs() {
         const Scene scene = twoSquares(0.02);
         const auto input = meshInputOf(scene.pattern);
