@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
+#include "app/batch/StudyCases.h"
 #include "app/batch/StudyFolder.h"
 #include "core/base/AtomicFile.h"
 #include "core/study/stability/Report.h"
@@ -14,27 +15,6 @@ namespace toile::batch {
 namespace {
 
 using namespace study::stability;
-
-/// Those that are named; all, where none is.
-struct Chosen {
-    std::vector<Case> cases;
-    std::vector<NotRun> notRun;
-};
-
-Result<Chosen> chosenOf(const std::vector<std::string>& numbers) {
-    Chosen chosen{allCases(), casesNotRun()};
-    if (numbers.empty()) return chosen;
-    const auto isAmong = [](const auto& all, const std::string& number) {
-        return std::ranges::any_of(all, [&](const auto& one) { return one.number == number; });
-    };
-    for (const std::string& number : numbers)
-        if (!isAmong(chosen.cases, number) && !isAmong(chosen.notRun, number))
-            return fail(ErrorCode::notFound, fmt::format("There is no stability case \"{}\".", number));
-    const auto isNotNamed = [&](const auto& one) { return std::ranges::find(numbers, one.number) == numbers.end(); };
-    std::erase_if(chosen.cases, isNotNamed);
-    std::erase_if(chosen.notRun, isNotNamed);
-    return chosen;
-}
 
 std::string commandOf(const CasesOptions& options) {
     std::string command = "toile-cli study stability";
@@ -61,7 +41,7 @@ Result<bool> written(const CasesOptions& options, const Findings& all, const std
 }
 
 Result<Findings> run(const CasesOptions& options, std::stop_token stop) {
-    const auto chosen = chosenOf(options.only);
+    const auto chosen = chosenOf(allCases(), casesNotRun(), options.only, "stability");
     if (!chosen) return tl::unexpected(chosen.error());
     if (!options.out.empty())
         if (auto made = madeFolder(options.out); !made) return tl::unexpected(made.error());
@@ -74,10 +54,10 @@ Result<Findings> run(const CasesOptions& options, std::stop_token stop) {
         all.rows.insert(all.rows.end(), found.rows.begin(), found.rows.end());
         all.map.insert(all.map.end(), found.map.begin(), found.map.end());
     }
-    for (const NotRun& one : chosen->notRun) fmt::print("{:<4} {}: not run. {}\n", one.number, one.title, one.reason);
-    fmt::print("{}\n", summaryOf(all.rows, chosen->notRun));
+    for (const NotRun& one : chosen->others) fmt::print("{:<4} {}: not run. {}\n", one.number, one.title, one.reason);
+    fmt::print("{}\n", summaryOf(all.rows, chosen->others));
     if (options.out.empty()) return all;
-    const auto pictures = written(options, all, chosen->notRun);
+    const auto pictures = written(options, all, chosen->others);
     if (!pictures) return tl::unexpected(pictures.error());
     fmt::print("{}/report.md{}\n", options.out, *pictures ? "" : withoutPictures);
     return all;

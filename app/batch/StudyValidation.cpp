@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
+#include "app/batch/StudyCases.h"
 #include "app/batch/StudyFolder.h"
 #include "core/base/AtomicFile.h"
 #include "core/study/validation/Report.h"
@@ -15,27 +16,6 @@ namespace {
 
 using namespace study::validation;
 
-/// Those that are named; all, where none is.
-struct Chosen {
-    std::vector<Case> cases;
-    std::vector<NotOffered> notOffered;
-};
-
-Result<Chosen> chosenOf(const std::vector<std::string>& numbers) {
-    Chosen chosen{allCases(), casesNotOffered()};
-    if (numbers.empty()) return chosen;
-    const auto isAmong = [](const auto& all, const std::string& number) {
-        return std::ranges::any_of(all, [&](const auto& one) { return one.number == number; });
-    };
-    for (const std::string& number : numbers)
-        if (!isAmong(chosen.cases, number) && !isAmong(chosen.notOffered, number))
-            return fail(ErrorCode::notFound, fmt::format("There is no validation case \"{}\".", number));
-    const auto isNotNamed = [&](const auto& one) { return std::ranges::find(numbers, one.number) == numbers.end(); };
-    std::erase_if(chosen.cases, isNotNamed);
-    std::erase_if(chosen.notOffered, isNotNamed);
-    return chosen;
-}
-
 std::string commandOf(const CasesOptions& options) {
     std::string command = "toile-cli study validation";
     if (!options.only.empty()) command += fmt::format(" --only {}", fmt::join(options.only, ","));
@@ -43,7 +23,7 @@ std::string commandOf(const CasesOptions& options) {
 }
 
 Result<std::vector<Outcome>> run(const CasesOptions& options, std::stop_token stop) {
-    const auto chosen = chosenOf(options.only);
+    const auto chosen = chosenOf(allCases(), casesNotOffered(), options.only, "validation");
     if (!chosen) return tl::unexpected(chosen.error());
     if (!options.out.empty())
         if (auto made = madeFolder(options.out); !made) return tl::unexpected(made.error());
@@ -54,19 +34,19 @@ Result<std::vector<Outcome>> run(const CasesOptions& options, std::stop_token st
         for (const Row& row : outcomes.back().rows) fmt::print("{}\n", lineOf(row));
         std::fflush(stdout);
     }
-    for (const NotOffered& one : chosen->notOffered)
+    for (const NotOffered& one : chosen->others)
         fmt::print("{:<5} {}: not offered. {}\n", one.number, one.title, one.reason);
-    fmt::print("{}\n", summaryOf(outcomes, chosen->notOffered));
+    fmt::print("{}\n", summaryOf(outcomes, chosen->others));
     if (options.out.empty()) return outcomes;
 
     const study::Circumstances circumstances = circumstancesOf(commandOf(options));
     std::string lines;
-    for (const Json& record : recordsOf(outcomes, chosen->notOffered, circumstances)) lines += toLine(record) + '\n';
+    for (const Json& record : recordsOf(outcomes, chosen->others, circumstances)) lines += toLine(record) + '\n';
     const std::filesystem::path folder(options.out);
     if (auto written = writeFileAtomically(folder / "results.jsonl", lines); !written)
         return tl::unexpected(written.error());
     if (auto written =
-            writeFileAtomically(folder / "report.md", validationText(outcomes, chosen->notOffered, circumstances));
+            writeFileAtomically(folder / "report.md", validationText(outcomes, chosen->others, circumstances));
         !written)
         return tl::unexpected(written.error());
     fmt::print("{}/report.md\n", options.out);

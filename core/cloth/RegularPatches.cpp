@@ -3,6 +3,19 @@
 
 namespace toile::cloth {
 
+material::Fabric unequalWeave() {
+    material::Fabric fabric;
+    fabric.name = "test weave";
+    fabric.arealDensity = 0.2;
+    fabric.warpStiffness = 900;
+    fabric.weftStiffness = 600;
+    fabric.shearStiffness = 30;
+    fabric.warpBending = 30e-6;
+    fabric.weftBending = 20e-6;
+    fabric.biasBending = 22e-6;
+    return fabric;
+}
+
 std::vector<double> evenLines(double extent, int cells) {
     std::vector<double> lines;
     for (int i = 0; i <= cells; ++i) lines.push_back(extent * i / cells);

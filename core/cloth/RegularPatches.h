@@ -5,6 +5,9 @@
 
 namespace toile::cloth {
 
+/// A weave with all that springs can have, each in another measure, for cases with known answers.
+[[nodiscard]] material::Fabric unequalWeave();
+
 /// Lines at 0, spacing, …, extent.
 [[nodiscard]] std::vector<double> evenLines(double extent, int cells);
 

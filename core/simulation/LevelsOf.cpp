@@ -4,6 +4,11 @@
 #include "core/dynamics/Eliminated.h"
 
 namespace toile::simulation {
+namespace {
+
+constexpr double leastMass = 0.05; ///< of a coarse particle over the mean of its level; the samples have 0.19 and more
+
+} // namespace
 
 int coarseLevelsFor(int substeps) {
     constexpr int bearable = 60, fewest = 20;
@@ -56,9 +61,11 @@ levelsOf(const pattern::Pattern& pattern, const MeshOverrides& overrides, const 
     if (!coarser) return tl::unexpected(coarser.error());
     std::vector<dynamics::LevelMesh> meshes;
     for (const meshing::GarmentMesh& mesh : *coarser) meshes.push_back(levelMeshOf(pattern, mesh, garment.mergedSeams));
-    return std::make_unique<dynamics::CoarseLevels>(levelMeshOf(pattern, *garment.mesh, garment.mergedSeams), meshes,
-                                                    garment.model.mass,
-                                                    dynamics::Eliminated(garment.model).inverseMass());
+    auto made =
+        std::make_unique<dynamics::CoarseLevels>(levelMeshOf(pattern, *garment.mesh, garment.mergedSeams), meshes,
+                                                 garment.model.mass, dynamics::Eliminated(garment.model).inverseMass());
+    if (made->lightest() < leastMass) return fail(ErrorCode::unsupported, "a piece is narrower than their cells");
+    return made;
 }
 
 } // namespace toile::simulation

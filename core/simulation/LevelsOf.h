@@ -22,7 +22,7 @@ namespace toile::simulation {
 [[nodiscard]] Result<std::vector<meshing::GarmentMesh>> coarserMeshes(const meshing::MeshInput& fine, int levels);
 
 /// The hierarchy above a garment, its seams merged as the garment's are. Error where a piece cannot be meshed so
-/// coarsely.
+/// coarsely, or is narrower than their cells.
 [[nodiscard]] Result<std::unique_ptr<dynamics::CoarseLevels>>
 levelsOf(const pattern::Pattern& pattern, const MeshOverrides& overrides, const Garment& garment, int levels);
 

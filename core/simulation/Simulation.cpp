@@ -209,7 +209,7 @@ void Simulation::planSubsteps() {
     else if (scene_.settings.substeps > 0) plan_.leaveOut("coarse levels", "the scene says how many substeps");
     else if (drapingMethod_ != dynamics::Method::xpbd) plan_.leaveOut("coarse levels", "no position-based steps");
     else if (levels == 0) plan_.leaveOut("coarse levels", fmt::format("{} substeps suffice", substeps_));
-    else if (!plannedLevels_) plan_.leaveOut("coarse levels", "the cloth did not come to rest by them");
+    else if (!plannedLevels_) plan_.leaveOut("coarse levels", "only while a garment falls into its place");
     else correctByLevels(levels);
     if (!grips_->empty() && scene_.settings.substeps == 0) substeps_ = std::max(substeps_, handSubsteps);
     if (sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
@@ -221,19 +221,12 @@ bool Simulation::levelsMayHelp() const {
 }
 
 void Simulation::correctByLevels(int levels) {
-    if (!levels_ || levels_->count() != levels) {
+    if (whyNoLevels_.empty() && (!levels_ || levels_->count() != levels)) {
         auto made = levelsOf(scene_.pattern, overrides_, *garment_, levels);
-        if (!made) {
-            plan_.leaveOut("coarse levels", toString(made.error()));
-            return;
-        }
-        constexpr double leastMass = 0.05; // of the mean; the samples have 0.19 and more
-        if ((*made)->lightest() < leastMass) {
-            plan_.leaveOut("coarse levels", "a piece is narrower than their cells");
-            return;
-        }
-        levels_ = std::move(*made);
+        if (made) levels_ = std::move(*made);
+        else whyNoLevels_ = made.error().text;
     }
+    if (!whyNoLevels_.empty()) return plan_.leaveOut("coarse levels", whyNoLevels_);
     xpbd_->correctBy(levels_.get());
     substeps_ = (substeps_ + (1 << levels) - 1) >> levels;
 }
@@ -339,6 +332,7 @@ Result<void> Simulation::mergeReadySeams() {
     state_ = merged(state_, *garment_, *sewn);
     garment_ = std::make_unique<const Garment>(std::move(*sewn));
     levels_.reset();
+    whyNoLevels_.clear();
     for (std::size_t seam = 0; seam < seams_.size(); ++seam) seams_[seam].merged = garment_->mergedSeams[seam];
     rebuildPlan();
     return {};

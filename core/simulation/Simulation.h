@@ -150,6 +150,7 @@ private:
     StepPlan plan_;
     MeshOverrides overrides_;
     std::unique_ptr<dynamics::CoarseLevels> levels_; ///< of this garment; null until they are needed
+    std::string whyNoLevels_;                        ///< it has none; empty = it has, or none were asked for
     std::unique_ptr<dynamics::Xpbd> xpbd_;
     std::optional<dynamics::Method> drapingMethod_ = dynamics::Method::xpbd;
     std::unique_ptr<dynamics::Integrator> integrator_; ///< while another method than XPBD is at work

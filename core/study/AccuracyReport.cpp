@@ -143,7 +143,7 @@ std::vector<Json> recordsOf(const CaseResult& result, const Circumstances& circu
     reference.set("selfError", result.reference.selfError);
     std::vector<Json> records;
     for (const RunResult& run : result.runs) {
-        Json method, outcome, cost, machine, record;
+        Json method, outcome, cost, record;
         method.set("integrator", std::string(dynamics::nameOf(run.setup.method))).set("step", run.step);
         method.set("substeps", run.setup.substeps).set("tolerance", run.setup.tolerance).set("threads", 1);
         if (run.failure.empty())
@@ -153,8 +153,7 @@ std::vector<Json> recordsOf(const CaseResult& result, const Circumstances& circu
         cost.set("parts", run.report.parts).set("newtonIterations", run.report.newtonIterations);
         cost.set("solves", run.report.factorizations).set("cgIterations", run.report.gradientIterations);
         cost.set("rejectedSteps", run.report.repeated);
-        machine.set("processor", circumstances.processor).set("calibrationSeconds", circumstances.calibration);
-        record.set("schema", "toile-study-1").set("program", circumstances.program).set("machine", machine);
+        note(record, "toile-study-1", circumstances);
         record.set("scene", scene).set("method", method).set("reference", reference).set("result", outcome);
         record.set("cost", cost).set("status", run.failure.empty() && run.solved ? "done" : statusOf(run));
         records.push_back(std::move(record));

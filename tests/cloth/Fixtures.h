@@ -25,16 +25,7 @@ inline void shake(std::vector<Vec3>& positions, double size, unsigned seed = 7) 
 }
 
 inline Fabric wovenFabric() {
-    Fabric fabric;
-    fabric.name = "test weave";
-    fabric.arealDensity = 0.2;
-    fabric.warpStiffness = 900;
-    fabric.weftStiffness = 600;
-    fabric.shearStiffness = 30;
-    fabric.warpBending = 30e-6;
-    fabric.weftBending = 20e-6;
-    fabric.biasBending = 22e-6;
-    return fabric;
+    return cloth::unequalWeave();
 }
 
 inline Fabric knitFabric() {

@@ -12,7 +12,7 @@ class tst_Hands : public QObject {
     Q_OBJECT
 private slots:
     void initTestCase() { prepareApplication(); }
-    void draggedClothFollowsThePointerAndFallsBack();
+    void draggedClothFollowsThePointer();
     void shiftLeavesAPinThatAClickTakesOut();
     void aPinIsDraggedToAnotherPlace();
     void escapeLetsGo();
@@ -56,11 +56,16 @@ private:
         void release(QPoint at, Qt::KeyboardModifiers modifiers = {}) {
             QTest::mouseRelease(&window.view3D(), Qt::LeftButton, modifiers, at);
         }
+        void drag(QPoint from, QPoint to, Qt::KeyboardModifiers atTheEnd) {
+            press(from);
+            moveTo(from, to);
+            release(to, atTheEnd);
+        }
         const std::vector<HeldPlace>& pins() { return window.findChild<HandLink*>()->pins(); }
     };
 };
 
-void tst_Hands::draggedClothFollowsThePointerAndFallsBack() {
+void tst_Hands::draggedClothFollowsThePointer() {
     Floating cloth;
     const Vec3 before = cloth.place(), aim = before + Vec3{0, 0.1, 0};
     const QPoint from = cloth.pixelOf(before), to = cloth.pixelOf(aim);
@@ -79,9 +84,7 @@ void tst_Hands::shiftLeavesAPinThatAClickTakesOut() {
     Floating cloth;
     const Vec3 before = cloth.place(), aim = before + Vec3{0, 0.1, 0};
     const QPoint from = cloth.pixelOf(before), to = cloth.pixelOf(aim);
-    cloth.press(from);
-    cloth.moveTo(from, to);
-    cloth.release(to, Qt::ShiftModifier);
+    cloth.drag(from, to, Qt::ShiftModifier);
     QCOMPARE(cloth.pins().size(), std::size_t{1});
     QVERIFY(cloth.reaches([&] { return distance(cloth.place(), aim) < 0.02; }));
     QVERIFY(!cloth.window.view3D().scene().overlay.empty());
@@ -94,12 +97,8 @@ void tst_Hands::aPinIsDraggedToAnotherPlace() {
     Floating cloth;
     const Vec3 before = cloth.place(), first = before + Vec3{0, 0.1, 0}, second = before + Vec3{0.05, 0.15, 0};
     const QPoint from = cloth.pixelOf(before), to = cloth.pixelOf(first), on = cloth.pixelOf(second);
-    cloth.press(from);
-    cloth.moveTo(from, to);
-    cloth.release(to, Qt::ShiftModifier);
-    cloth.press(to);
-    cloth.moveTo(to, on);
-    cloth.release(on);
+    cloth.drag(from, to, Qt::ShiftModifier);
+    cloth.drag(to, on, {});
     QCOMPARE(cloth.pins().size(), std::size_t{1}); // without Shift, too: it was one before
     QVERIFY(distance(cloth.pins()[0].target, second) < 0.01);
     QVERIFY(cloth.reaches([&] { return distance(cloth.place(), second) < 0.02; }));
@@ -119,9 +118,7 @@ void tst_Hands::escapeLetsGo() {
 void tst_Hands::aResetFreesAll() {
     Floating cloth;
     const QPoint from = cloth.pixelOf(cloth.place()), to = from + QPoint(40, 0);
-    cloth.press(from);
-    cloth.moveTo(from, to);
-    cloth.release(to, Qt::ShiftModifier);
+    cloth.drag(from, to, Qt::ShiftModifier);
     QCOMPARE(cloth.pins().size(), std::size_t{1});
     cloth.workbench.reset();
     QVERIFY(cloth.reaches([&] { return cloth.workbench.frame()->time == 0; }));

@@ -32,7 +32,7 @@ collision::BodySurface ball() {
 /// A level sheet of 0.2 m in the middle of the axes, moved up.
 struct Sheet {
     cloth::Patch patch = cloth::gridPatch(cloth::evenLines(0.2, 16), cloth::evenLines(0.2, 16));
-    ClothModel model = validation::modelOf(patch, validation::testWeave());
+    ClothModel model = validation::modelOf(patch, validation::unequalWeave());
     ParticleState state;
 
     explicit Sheet(double height, const Vec3& velocity = {}) {

@@ -29,7 +29,7 @@ struct HeldSheet {
     ClothModel model;
     ParticleState state;
 
-    explicit HeldSheet(double scale, double noise = 0) : model(validation::modelOf(patch, validation::testWeave())) {
+    explicit HeldSheet(double scale, double noise = 0) : model(validation::modelOf(patch, validation::unequalWeave())) {
         std::mt19937 random(5);
         for (int p = 0; p < model.particleCount(); ++p) {
             const int column = p % (cells + 1);
@@ -142,7 +142,7 @@ Findings s25NoStiffness(const Effort&) {
          {Without{"bending", [](material::Fabric& f) { f.warpBending = f.weftBending = f.biasBending = 0; }},
           {"shear", [](material::Fabric& f) { f.shearStiffness = 0; }},
           {"warp", [](material::Fabric& f) { f.warpStiffness = 0; }}}) {
-        material::Fabric fabric = validation::testWeave();
+        material::Fabric fabric = validation::unequalWeave();
         without.take(fabric);
         const cloth::Patch patch = cloth::gridPatch(cloth::evenLines(0.2, 8), cloth::evenLines(0.2, 8));
         ClothModel model;

@@ -97,11 +97,7 @@ std::vector<Json> recordsOf(const std::vector<Row>& rows, const std::vector<MapC
         record.set("verdict", "not run").set("reason", std::string(one.reason));
         records.push_back(std::move(record));
     }
-    for (Json& record : records) {
-        Json machine;
-        machine.set("processor", circumstances.processor).set("calibrationSeconds", circumstances.calibration);
-        record.set("schema", "toile-stability-1").set("program", circumstances.program).set("machine", machine);
-    }
+    for (Json& record : records) note(record, "toile-stability-1", circumstances);
     return records;
 }
 

@@ -105,7 +105,7 @@ Findings s1StiffnessAgainstStep(const Effort& effort) {
 
 Findings s2RoundingFloor(const Effort&) {
     const cloth::Patch patch = cloth::gridPatch(cloth::evenLines(0.008, 8), cloth::evenLines(0.008, 8));
-    material::Fabric fabric = validation::testWeave();
+    material::Fabric fabric = validation::unequalWeave();
     fabric.warpStiffness = fabric.weftStiffness = 1e9;
     fabric.shearStiffness = 1e8;
     cloth::ClothModel model = validation::modelOf(patch, fabric);
@@ -152,7 +152,7 @@ Findings s24StiffBesideSoft(const Effort&) {
     cloth::Patch patch = cloth::gridPatch(cloth::evenLines(0.2, 12), cloth::evenLines(0.2, 12));
     for (std::size_t c = 0; c < patch.rectangles.size(); ++c)
         if (c % 12 >= 6) patch.rectangles[c].factors = {1e6, 1e6, 1};
-    cloth::ClothModel model = validation::modelOf(patch, validation::testWeave());
+    cloth::ClothModel model = validation::modelOf(patch, validation::unequalWeave());
     for (int p = 0; p <= 12; ++p) model.pinned.push_back(p);
     dynamics::ParticleState start;
     for (const Vec2& m : patch.material) start.positions.push_back({m.x, 0, m.y});

@@ -22,7 +22,7 @@ struct Column {
 };
 
 Column column() {
-    Fabric fabric = testWeave();
+    Fabric fabric = unequalWeave();
     fabric.warpStiffness = fabric.weftStiffness = modulus;
     fabric.shearStiffness = shear;
     fabric.warpBending = fabric.weftBending = fabric.biasBending = bending;
@@ -83,7 +83,7 @@ struct Ribbon {
     ClothModel model;
 
     Ribbon(int along, int across) {
-        Fabric fabric = testWeave();
+        Fabric fabric = unequalWeave();
         fabric.arealDensity = 0.01;
         fabric.warpStiffness = fabric.weftStiffness = modulus;
         fabric.shearStiffness = modulus / 2;

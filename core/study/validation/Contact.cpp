@@ -22,7 +22,7 @@ constexpr double target = 0.003 + 0.0002; // skin offset + half thickness [m]
 struct Patch5 {
     collision::BodySurface plane;
     Patch patch = gridPatch(evenLines(0.05, 5), evenLines(0.05, 5));
-    ClothModel model = modelOf(patch, testWeave());
+    ClothModel model = modelOf(patch, unequalWeave());
     dynamics::ParticleState state;
 
     Patch5() : plane(*collision::BodySurface::create(geometry::plane(4, 16))) {

@@ -115,7 +115,7 @@ Drape drapeOf(Findings& found, const Disc& disc) {
 
 /// A weave of 0.2 kg/m² with a bending length of 20 mm, the median of measured fabrics: 10 mm shows its folds.
 Fabric drapingWeave() {
-    Fabric fabric = testWeave();
+    Fabric fabric = unequalWeave();
     fabric.warpStiffness = fabric.weftStiffness = 800;
     fabric.shearStiffness = 40;
     fabric.warpBending = fabric.weftBending = 16e-6;
@@ -146,7 +146,7 @@ void v29Cusick(Findings& found) {
 
 /// Isotropic: C11 = 3G with C12 = C33 = G, B in every direction.
 Fabric isotropicCloth() {
-    Fabric fabric = testWeave();
+    Fabric fabric = unequalWeave();
     fabric.shearStiffness = 75;
     fabric.warpStiffness = fabric.weftStiffness = 200;
     fabric.warpBending = fabric.weftBending = fabric.biasBending = 10e-6;

@@ -109,7 +109,7 @@ Pull pullOf(const std::vector<Vec2>& places, double width, const ClothModel& mod
 }
 
 void v19HomogeneousStrainsMeetTheConstants(Findings& found) {
-    const Fabric fabric = testWeave();
+    const Fabric fabric = unequalWeave();
     for (const Mesh& mesh : meshes()) {
         const ClothModel model = modelOf(mesh.patch, fabric, mesh.form);
         const bool springs = mesh.form == cloth::CellForm::springs;
@@ -129,7 +129,7 @@ void v19HomogeneousStrainsMeetTheConstants(Findings& found) {
 }
 
 void v19FreeSidesShowTheUniaxialModulus(Findings& found) {
-    const Fabric fabric = testWeave();
+    const Fabric fabric = unequalWeave();
     for (const Mesh& mesh : meshes()) {
         const ClothModel model = modelOf(mesh.patch, fabric, mesh.form);
         const double c12 = mesh.form == cloth::CellForm::springs ? fabric.shearStiffness : fabric.coupling;
@@ -168,7 +168,7 @@ void v19bMeasuredFabricsAtThreeAspects(Findings& found) {
 }
 
 void v20BiasStripStretchesAsItsComplianceSays(Findings& found) {
-    const Fabric fabric = testWeave();
+    const Fabric fabric = unequalWeave();
     const auto c = material::membraneStiffness(fabric, fabric.shearStiffness);
     const double d = c->c11 * c->c22 - c->c12 * c->c12;
     const double s11 = c->c22 / d, s22 = c->c11 / d, s12 = -c->c12 / d, s33 = 1 / c->c33;
@@ -203,7 +203,7 @@ void v30UnitsOfFast(Findings& found) {
         double length, stiffness;
     };
     for (const Row& row : {Row{15.00, 5.56}, {14.50, 5.02}}) {
-        Fabric wool = testWeave();
+        Fabric wool = unequalWeave();
         wool.arealDensity = 0.168;
         wool.warpBending = wool.weftBending = wool.biasBending = 168 * std::pow(row.length, 3) * 9.81e-6 * 1e-6;
         found.within(fmt::format("FAST, 168 g/m², c = {:.2f} mm: B [µN·m], as reported", row.length), row.stiffness,

@@ -24,7 +24,7 @@ void v26DropOnAPlane(Findings& found) {
     const auto slab = collision::BodySurface::create(geometry::box({-1, -0.1, -1}, {1, 0, 1}));
     if (!found.ran(slab)) return;
     const Patch patch = gridPatch(evenLines(0.1, 8), evenLines(0.1, 8));
-    const ClothModel model = modelOf(patch, testWeave());
+    const ClothModel model = modelOf(patch, unequalWeave());
     const std::vector<double> half(model.mass.size(), 0.0002), friction(model.mass.size(), 0.3);
     for (const double speed : {1.0, 10.0, 100.0}) {
         dynamics::BodyContact contact(*slab, dynamics::particleSamples(model, half, friction, 0.3));

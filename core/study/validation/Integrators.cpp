@@ -214,7 +214,7 @@ void v8bHangingChain(Findings& found) {
 
 void v17EnergyOfAKickedSheet(Findings& found) {
     Patch patch = gridPatch(evenLines(0.2, 8), evenLines(0.2, 8));
-    const ClothModel model = modelOf(patch, testWeave());
+    const ClothModel model = modelOf(patch, unequalWeave());
     ParticleState start{.positions = flatPositions(patch), .velocities = {}};
     start.velocities = kickOf(start.positions.size());
     double scale = 0;

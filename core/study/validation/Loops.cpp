@@ -122,7 +122,7 @@ std::function<double(double)> guessOf(const Loop& loop) {
 /// The same of a strip of cells, 0.2 m long, clamped over two columns of nodes at either end.
 double heightOfStrip(Findings& found, const Loop& loop, int cells) {
     constexpr double all = 0.2;
-    Fabric fabric = testWeave();
+    Fabric fabric = unequalWeave();
     fabric.warpStiffness = fabric.weftStiffness = 2e4; // nearly inextensible
     fabric.shearStiffness = 1000;
     const double bending = fabric.arealDensity * standardGravity * all * all * all / loop.gamma;

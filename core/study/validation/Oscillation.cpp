@@ -90,7 +90,7 @@ double membraneFrequency(Findings& found, int n) {
     const double strain =
         tension / (stiffness - tension); // E·e/(1 + e) = T: stiffness per rest width, load per real one
     const double side = 1 / (1 + strain);
-    Fabric fabric = testWeave();
+    Fabric fabric = unequalWeave();
     fabric.arealDensity = density / (side * side);
     fabric.warpStiffness = fabric.weftStiffness = stiffness;
     fabric.shearStiffness = 0;
@@ -187,7 +187,7 @@ void v15StretchedMembrane(Findings& found) {
 void v16StripVibration(Findings& found) {
     constexpr int cells = 32;
     constexpr double length = 0.1, h = length / cells;
-    Fabric fabric = testWeave();
+    Fabric fabric = unequalWeave();
     fabric.warpStiffness = fabric.weftStiffness = 50;
     fabric.shearStiffness = 5;
     fabric.warpBending = fabric.weftBending = 5e-5;
@@ -219,7 +219,7 @@ void v16StripVibration(Findings& found) {
 }
 
 void v17MomentumAndEnergyOfAKickedSheet(Findings& found) {
-    const Fabric fabric = testWeave();
+    const Fabric fabric = unequalWeave();
     Patch patch;
     const ClothModel model = sheetModel(patch, 8, fabric);
     ParticleState start{.positions = flatPositions(patch), .velocities = {}};

@@ -100,11 +100,7 @@ std::vector<Json> recordsOf(const std::vector<Outcome>& outcomes, const std::vec
         record.set("verdict", "not offered").set("reason", std::string(one.reason));
         records.push_back(std::move(record));
     }
-    for (Json& record : records) {
-        Json machine;
-        machine.set("processor", circumstances.processor).set("calibrationSeconds", circumstances.calibration);
-        record.set("schema", "toile-validation-1").set("program", circumstances.program).set("machine", machine);
-    }
+    for (Json& record : records) note(record, "toile-validation-1", circumstances);
     return records;
 }
 

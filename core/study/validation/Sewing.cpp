@@ -68,7 +68,7 @@ struct FacingSheets {
             Patch patch = gridPatch(evenLines(0.1, cells), evenLines(0.1, cells));
             const int first = model.particleCount();
             for (int& particle : patch.particles) particle += first;
-            const auto done = cloth::appendPatch(model, patch, testWeave());
+            const auto done = cloth::appendPatch(model, patch, unequalWeave());
             expects(done.has_value(), "a sheet is a cloth");
             for (const Vec2& m : patch.material) state.positions.push_back({x + m.x, m.y, 0});
         }
@@ -118,7 +118,7 @@ void v22WorkOfASeam(Findings& found) {
 
 void v23ClosedTubeIsRound(Findings& found) {
     constexpr double round = 0.4, height = 0.05;
-    Fabric fabric = testWeave();
+    Fabric fabric = unequalWeave();
     auto tube = tubeOf(found, fabric, round, height, round / 64);
     if (!tube) return;
     for (Vec3& x : tube->state.positions) x = {1.15 * x.x, x.y, x.z / 1.15}; // squeezed flat a little

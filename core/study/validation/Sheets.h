@@ -18,25 +18,12 @@ using cloth::gridPatch;
 using cloth::Patch;
 using cloth::trianglePatch;
 using cloth::twoRegionPatch;
+using cloth::unequalWeave;
 using dynamics::ParticleState;
 using material::Fabric;
 
 constexpr double standardGravity = 9.81; ///< [m/s²]
 constexpr Vec3 downward{0, -standardGravity, 0};
-
-/// An unequal weave with everything that springs can have.
-inline Fabric testWeave() {
-    Fabric fabric;
-    fabric.name = "test weave";
-    fabric.arealDensity = 0.2;
-    fabric.warpStiffness = 900;
-    fabric.weftStiffness = 600;
-    fabric.shearStiffness = 30;
-    fabric.warpBending = 30e-6;
-    fabric.weftBending = 20e-6;
-    fabric.biasBending = 22e-6;
-    return fabric;
-}
 
 /// Speeds of up to 1 m/s along each axis, at random, always the same.
 inline std::vector<Vec3> kickOf(std::size_t particles) {

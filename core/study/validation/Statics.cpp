@@ -22,7 +22,7 @@ void settle(Findings& found, const ClothModel& model, dynamics::ParticleState& s
 
 /// Sag of the lower end of a strip that hangs from its upper end; V3.
 double sagOf(Findings& found, const Patch& patch, double length) {
-    Fabric fabric = testWeave();
+    Fabric fabric = unequalWeave();
     fabric.warpStiffness = fabric.weftStiffness = 200;
     fabric.shearStiffness = 0;
     fabric.warpBending = fabric.weftBending = fabric.biasBending = 0;
@@ -49,7 +49,7 @@ struct Tip {
 /// Γ = ρ g L³/B by the choice of B.
 Tip cantilever(Findings& found, double gamma, int cells) {
     constexpr double length = 0.1;
-    Fabric fabric = testWeave();
+    Fabric fabric = unequalWeave();
     fabric.warpStiffness = fabric.weftStiffness = 2e4; // ρgL/E = 1e-5: nearly inextensible
     fabric.shearStiffness = 1000;
     const double bending = fabric.arealDensity * g * length * length * length / gamma;
@@ -150,7 +150,7 @@ void v7CatenaryOfStiffLinks(Findings& found) {
 /// A narrow strip of triangles that hangs along its bias.
 void v32BiasStripUnderItsOwnWeight(Findings& found) {
     constexpr double strip = 1, width = 0.02;
-    Fabric fabric = testWeave();
+    Fabric fabric = unequalWeave();
     fabric.warpBending = fabric.weftBending = fabric.biasBending = 0;
     const auto c = material::membraneStiffness(fabric, fabric.shearStiffness);
     if (!found.ran(c)) return;
@@ -173,7 +173,7 @@ void v32BiasStripUnderItsOwnWeight(Findings& found) {
 /// rows of 10 mm are clamped.
 double curvatureOf(Findings& found, const Patch& patch) {
     constexpr double clamped = 0.01, at = 0.06, reach = 0.01;
-    Fabric fabric = testWeave();
+    Fabric fabric = unequalWeave();
     fabric.warpStiffness = fabric.weftStiffness = 2e4;
     fabric.shearStiffness = 1000;
     fabric.warpBending = fabric.weftBending = 2e-4;

@@ -59,7 +59,7 @@ struct Sleeve {
 constexpr double clothRadius = 0.1, stiffness = 200; // stretched [m], uniaxial [N/m]
 
 std::unique_ptr<Sleeve> sleeveOf(Findings& found, const dynamics::BodyContactSettings& settings = {}) {
-    Fabric fabric = testWeave();
+    Fabric fabric = unequalWeave();
     fabric.weftStiffness = stiffness;
     const double round = 2 * pi * clothRadius / (1 + Sleeve::stretch);
     auto tube = tubeOf(found, fabric, round, 0.05, round / 96);
@@ -116,7 +116,7 @@ struct Belt {
     int columns = 0;
 
     Belt() : body(*collision::BodySurface::create(geometry::cylinder(radius - target, 0.1, 256, 16))) {
-        Fabric fabric = testWeave();
+        Fabric fabric = unequalWeave();
         fabric.arealDensity = 0.02;
         fabric.warpStiffness = fabric.weftStiffness = 200;
         fabric.warpBending = fabric.weftBending = fabric.biasBending = 0;
