@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WornScenes.h"
 
+#include <ctime>
+
 using namespace toile;
 using namespace toile::simulation;
 
 namespace {
 
-constexpr double spacing = 0.02;
+/// 20 mm, or what TOILE_SPACING says in millimetres: the figures of docs/simulation.md are of 20 and of 14 mm [m].
+double spacingWanted() {
+    return qEnvironmentVariable("TOILE_SPACING", "20").toDouble() / 1000;
+}
+
+double cpuSeconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 /// Advances until the garment rests; the number of frame steps that took.
 int framesToRest(Simulation& simulation) {
@@ -42,33 +51,41 @@ private slots:
 };
 
 void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes() {
-    Scene scene = onBlouseWearer(blouseAt(spacing));
+    Scene scene = onBlouseWearer(blouseAt(spacingWanted()));
     Simulation before = simulationOf(scene);
     (void)framesToRest(before);
 
     pattern::Piece front = *scene.pattern.pieces[0];
     front.outline.vertices[0].position.y -= 0.01; // the hem at the centre front, on both halves
     scene.pattern.pieces[0] = front;
+    const double start = cpuSeconds();
     auto edited = Simulation::continued(scene, before);
     QVERIFY(edited);
     QVERIFY(edited->advance());
+    const double first = cpuSeconds();
     QVERIFY(edited->allSeamsMerged()); // after one frame step
     QVERIFY(edited->phase() == Phase::draping);
     const int frames = framesToRest(*edited);
-    QVERIFY2(frames < 120, qPrintable(QString::number(frames))); // from scratch: more than 400
+    const double rested = cpuSeconds();
+    QVERIFY2(frames < 120, qPrintable(QString::number(frames)));
 
     // A garment with friction has many equilibria: how far apart are two drapes from scratch?
     Simulation scratch = simulationOf(scene);
-    (void)framesToRest(scratch);
+    const int framesFromScratch = framesToRest(scratch);
     scene.settings.seamTime *= 1.01;
     Simulation perturbed = simulationOf(scene);
     (void)framesToRest(perturbed);
     const double spread = apart(perturbed, scratch), error = apart(*edited, scratch);
+    qInfo(
+        "%zu nodes: changed after %.3f CPU s, at rest after %d frame steps, %.2f CPU s (from scratch %d frame steps); "
+        "%.2f mm from a drape from scratch, one whose seams close 1 %% slower is %.2f mm from it",
+        edited->nodePositions().size(), first - start, frames, rested - start, framesFromScratch, error * 1000,
+        spread * 1000);
     QVERIFY2(error < 2 * spread, qPrintable(QString("%1 mm, %2 mm").arg(error * 1000).arg(spread * 1000)));
 }
 
 void tst_EditToDrape::aNewSeamIsDressedFromTheStart() {
-    Scene scene = onBlouseWearer(blouseAt(spacing));
+    Scene scene = onBlouseWearer(blouseAt(spacingWanted()));
     Scene open = scene;
     open.pattern.seams.erase(open.pattern.seams.begin()); // the centre front
     Simulation before = simulationOf(open);
