@@ -23,11 +23,15 @@ double sideLength(const pattern::Pattern& pattern, const std::vector<pattern::Se
 Json pieceJson(const pattern::Pattern& pattern, const pattern::Piece& authored) {
     const pattern::Piece piece = pattern::resolved(pattern, authored);
     const geometry::Box2 box = geometry::boundsOf(pattern::flattened(piece.outline, 1e-4));
+    const auto& fused = piece.interfacing;
     Json json;
     json.set("id", piece.id.value)
         .set("name", piece.name)
         .set("mirrorOf", piece.mirror ? Json(piece.mirror->source.value) : Json());
-    json.set("fabric", piece.fabric.value).set("spacing", piece.spacing).set("area", pattern::areaOf(piece));
+    json.set("fabric", piece.fabric.value);
+    json.set("interfacingBending", fused ? Json(fused->bendingFactor) : Json());
+    json.set("interfacingDensity", fused ? Json(fused->arealDensity) : Json());
+    json.set("spacing", piece.spacing).set("area", pattern::areaOf(piece));
     json.set("width", box.high.x - box.low.x).set("height", box.high.y - box.low.y);
     json.set("edges", piece.outline.edges.size()).set("holes", piece.holes.size()).set("regions", piece.regions.size());
     return json.set("notches", piece.notches.size()).set("placed", piece.placement.has_value());

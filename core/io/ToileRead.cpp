@@ -152,11 +152,19 @@ MirrorOf mirrorOf(JsonNode node) {
     return mirror;
 }
 
+Interfacing interfacingOf(JsonNode node) {
+    Interfacing interfacing;
+    interfacing.bendingFactor = node["bendingFactor"].number(interfacing.bendingFactor);
+    interfacing.arealDensity = node["arealDensity"].number(interfacing.arealDensity);
+    return interfacing;
+}
+
 Shared<Piece> pieceOf(JsonNode& node) {
     Piece piece;
     piece.id = idOf<PieceId>(node.required("id"));
     piece.name = node["name"].text(piece.id.value);
     piece.fabric = FabricId(node["fabric"].text());
+    if (const JsonNode fused = node["interfacing"]; fused.exists()) piece.interfacing = interfacingOf(fused);
     piece.spacing = lengthOf(node["spacing"], piece.spacing);
     piece.grain = angleOf(node["grainDegrees"]);
     piece.seamAllowance = lengthOf(node["seamAllowance"], piece.seamAllowance);

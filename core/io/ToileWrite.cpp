@@ -132,10 +132,17 @@ Json mirrorJson(const MirrorOf& mirror) {
     return json;
 }
 
+Json interfacingJson(const Interfacing& interfacing) {
+    Json json;
+    json.set("bendingFactor", interfacing.bendingFactor).set("arealDensity", interfacing.arealDensity);
+    return json;
+}
+
 Json pieceJson(const Shared<Piece>& shared) {
     const Piece& piece = *shared;
     Json json;
     json.set("id", piece.id.value).set("name", piece.name).set("fabric", piece.fabric.value);
+    if (piece.interfacing) json.set("interfacing", interfacingJson(*piece.interfacing));
     json.set("spacing", millimetres(piece.spacing));
     json.set("grainDegrees", degrees(piece.grain)).set("seamAllowance", millimetres(piece.seamAllowance));
     json.set("rule", nameIn(lineRuleNames, piece.rule)).set("regionBorder", nameIn(regionBorderNames, piece.border));

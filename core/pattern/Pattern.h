@@ -6,7 +6,7 @@
 #include "core/base/Shared.h"
 #include "core/geometry/Curve.h"
 #include "core/geometry/Polygon.h"
-#include "core/material/Fabric.h"
+#include "core/material/Interfacing.h"
 
 #include <array>
 #include <optional>
@@ -19,6 +19,7 @@ using geometry::EdgeShape;
 using geometry::Polygon;
 using material::Fabric;
 using material::FabricId;
+using material::Interfacing;
 
 struct PieceTag;
 struct VertexTag;
@@ -140,8 +141,9 @@ struct Piece {
     std::vector<Contour> holes;
     double grain = 0; ///< direction of warp from +y, counter-clockwise [rad]
     FabricId fabric;
-    double spacing = 0.02;       ///< ε_m [m]
-    double seamAllowance = 0.01; ///< [m]
+    std::optional<Interfacing> interfacing; ///< a mirror image has its own
+    double spacing = 0.02;                  ///< ε_m [m]
+    double seamAllowance = 0.01;            ///< [m]
     std::vector<Region> regions;
     std::vector<Notch> notches;
     std::vector<InternalLine> internalLines;

@@ -55,6 +55,9 @@ void checkNumbers(const Pattern& pattern, const Piece& piece, Problems& problems
     if (piece.fabric.empty()) problems.error("fabric", "The piece is cut from no fabric.");
     else if (!findFabric(pattern, piece.fabric))
         problems.error("fabric", fmt::format("There is no fabric \"{}\".", piece.fabric.value));
+    if (!piece.interfacing) return;
+    if (const auto ok = material::checked(*piece.interfacing); !ok)
+        problems.error("interfacing." + ok.error().place.path, ok.error().text);
 }
 
 void checkPlacement(const Piece& piece, Problems& problems) {

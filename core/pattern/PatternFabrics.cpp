@@ -58,4 +58,21 @@ Result<Pattern> setPieceFabric(const Pattern& pattern, const PieceId& piece, con
     });
 }
 
+Result<Pattern> setInterfacing(const Pattern& pattern, const PieceId& piece,
+                               const std::optional<Interfacing>& interfacing) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        if (interfacing)
+            if (const auto ok = material::checked(*interfacing); !ok)
+                return fail(ErrorCode::invalidInput, ok.error().text, placeOf(p));
+        p.interfacing = interfacing;
+        return {};
+    });
+}
+
+std::optional<Fabric> clothOf(const Pattern& pattern, const Piece& piece) {
+    const Fabric* fabric = findFabric(pattern, piece.fabric);
+    if (!fabric) return std::nullopt;
+    return piece.interfacing ? material::fused(*fabric, *piece.interfacing) : *fabric;
+}
+
 } // namespace toile::pattern

@@ -15,5 +15,11 @@ namespace toile::pattern {
 [[nodiscard]] Result<Pattern> removeFabric(const Pattern& pattern, const FabricId& fabric);
 /// Cuts a piece from another fabric.
 [[nodiscard]] Result<Pattern> setPieceFabric(const Pattern& pattern, const PieceId& piece, const FabricId& fabric);
+/// Fuses interlining to a piece; absent takes it off. Error when its numbers make no sense.
+[[nodiscard]] Result<Pattern> setInterfacing(const Pattern& pattern, const PieceId& piece,
+                                             const std::optional<Interfacing>& interfacing);
+
+/// What a piece is made of: its fabric with its interfacing. Nothing for a fabric that there is not.
+[[nodiscard]] std::optional<Fabric> clothOf(const Pattern& pattern, const Piece& piece);
 
 } // namespace toile::pattern

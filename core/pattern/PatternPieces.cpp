@@ -61,6 +61,7 @@ Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Ve
     image.id = ids.take<PieceId>();
     image.name = std::move(name);
     image.fabric = original->fabric;
+    image.interfacing = original->interfacing;
     image.spacing = original->spacing;
     image.seamAllowance = original->seamAllowance;
     image.rule = original->rule;

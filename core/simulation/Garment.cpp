@@ -2,6 +2,7 @@
 #include "core/simulation/Garment.h"
 
 #include "core/cloth/Patch.h"
+#include "core/pattern/PatternFabrics.h"
 #include "core/simulation/SeamHinges.h"
 
 #include <algorithm>
@@ -79,7 +80,7 @@ Result<Garment> makeGarment(const Pattern& pattern, Shared<meshing::GarmentMesh>
     for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
         const Piece& piece = *pattern.pieces[i];
         const meshing::PieceMesh& pieceMesh = garment.mesh->pieces[i];
-        const material::Fabric* fabric = pattern::findFabric(pattern, piece.fabric);
+        const std::optional<material::Fabric> fabric = pattern::clothOf(pattern, piece);
         if (!fabric)
             return fail(ErrorCode::invalidInput, fmt::format("There is no fabric \"{}\".", piece.fabric.value),
                         {.object = fmt::format("piece \"{}\"", piece.name)});

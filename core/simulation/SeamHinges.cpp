@@ -2,6 +2,7 @@
 #include "core/simulation/SeamHinges.h"
 
 #include "core/cloth/Patch.h"
+#include "core/pattern/PatternFabrics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +67,9 @@ void appendSeamHinges(cloth::ClothModel& model, const pattern::Pattern& pattern,
     const auto nodeOf = [&](const BorderEdge& e, int node) { return particles.firstNode[e.piece] + node; };
     const auto particleOf = [&](const BorderEdge& e, int node) { return particles.particleOf[nodeOf(e, node)]; };
 
+    std::vector<material::Fabric> cloths;
+    for (const auto& piece : pattern.pieces) cloths.push_back(*pattern::clothOf(pattern, *piece));
+
     std::map<std::array<int, 2>, std::vector<BorderEdge>> byParticles;
     for (std::size_t piece = 0; piece < mesh.pieces.size(); ++piece)
         for (BorderEdge& edge : borderEdges(mesh.pieces[piece], static_cast<int>(piece))) {
@@ -84,12 +88,9 @@ void appendSeamHinges(cloth::ClothModel& model, const pattern::Pattern& pattern,
         if (seam == candidates.end()) continue;
 
         const meshing::PieceMesh &leftMesh = mesh.pieces[left.piece], &rightMesh = mesh.pieces[right.piece];
-        const auto fabricOf = [&](const BorderEdge& e) {
-            return pattern::findFabric(pattern, pattern.pieces[e.piece]->fabric);
-        };
         const double bending =
             pattern.seams[*seam].stiffnessFactor * 0.5 *
-            (bendingAcross(leftMesh, left, *fabricOf(left)) + bendingAcross(rightMesh, right, *fabricOf(right)));
+            (bendingAcross(leftMesh, left, cloths[left.piece]) + bendingAcross(rightMesh, right, cloths[right.piece]));
         // A rectangle has two opposite corners: two hinges share its stiffness, each with the corner at its own end.
         const std::size_t count = std::max(left.opposite.size(), right.opposite.size());
         for (std::size_t i = 0; i < count; ++i) {

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <ctime>
 #include <fmt/format.h>
+#include <numeric>
 #include <sys/resource.h>
 
 namespace toile::simulation {
@@ -123,6 +124,7 @@ void countElements(SewReport& result, const cloth::ClothModel& model) {
     result.bending = static_cast<int>(model.bending.size());
     result.twist = static_cast<int>(model.twist.size());
     result.flexion = static_cast<int>(model.flexion.size());
+    result.mass = std::accumulate(model.mass.begin(), model.mass.end(), 0.0);
     result.clampedCells = model.clampedCells;
 }
 

@@ -44,6 +44,7 @@ struct SewReport {
     std::vector<SeamResult> seams;
     std::optional<WornReport> worn; ///< absent without a body that has limbs
     ContactSummary contact;
+    double mass = 0; ///< of the cloth with its interfacing [kg]
     int clampedCells = 0;
     std::optional<cloth::PaperReport> paper;         ///< in a scene of the paper
     std::optional<double> finishDisplacementMaximum; ///< [m]

@@ -91,7 +91,7 @@ Json toJson(const SewReport& report) {
     json.set("seams", listOf(report.seams, [](const SeamResult& seam) { return toJson(seam); }));
     json.set("worn", toJson(report.worn));
     json.set("contact", toJson(report.contact));
-    json.set("clampedCells", report.clampedCells).set("paper", toJson(report.paper));
+    json.set("mass", report.mass).set("clampedCells", report.clampedCells).set("paper", toJson(report.paper));
     json.set("finishDisplacementMaximum", numberOrNull(report.finishDisplacementMaximum));
     Json strain;
     strain.set("warpMaximum", report.strain.warpMaximum).set("weftMaximum", report.strain.weftMaximum);

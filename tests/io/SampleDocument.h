@@ -14,6 +14,7 @@ inline document::Document everyField() {
     front.id = PieceId("front");
     front.name = "Front \"left\"";
     front.fabric = FabricId("poplin");
+    front.interfacing = Interfacing{8, 0.03};
     front.spacing = 0.015;
     front.grain = std::numbers::pi / 6;
     front.seamAllowance = 0.012;

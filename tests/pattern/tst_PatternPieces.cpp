@@ -32,6 +32,8 @@ private slots:
     void aCurledPieceKeepsItsLengths();
     void aRollLaidAlongALineKeepsItsGirth();
     void aFabricInUseStays();
+    void interfacingIsFusedAndTakenOff();
+    void clothIsTheFabricWithItsInterfacing();
     void freeNumbersAreAboveAllInUse();
 };
 
@@ -202,6 +204,24 @@ void tst_PatternPieces::aFabricInUseStays() {
     QVERIFY(!setPieceFabric(two, front, FabricId("wool")));
     silk.thickness = -1;
     QVERIFY(!replaceFabric(two, silk));
+}
+
+void tst_PatternPieces::interfacingIsFusedAndTakenOff() {
+    const Pattern plain = tests::twoPanels();
+    const auto fused = setInterfacing(plain, front, Interfacing{});
+    QVERIFY(fused && !hasErrors(checkPattern(*fused)));
+    QVERIFY(findPiece(*fused, front)->interfacing && !findPiece(*fused, image)->interfacing);
+    QVERIFY(*setInterfacing(*fused, front, std::nullopt) == plain);
+    QVERIFY(!setInterfacing(plain, front, Interfacing{.bendingFactor = 0.5}));
+    QVERIFY(!setInterfacing(plain, PieceId("nobody"), Interfacing{}));
+}
+
+void tst_PatternPieces::clothIsTheFabricWithItsInterfacing() {
+    const Pattern plain = tests::twoPanels();
+    const Pattern fused = *setInterfacing(plain, front, Interfacing{});
+    QVERIFY(*clothOf(plain, *findPiece(plain, front)) == *plain.fabrics[0]);
+    QVERIFY(*clothOf(fused, *findPiece(fused, front)) == material::fused(*plain.fabrics[0], Interfacing{}));
+    QVERIFY(!clothOf(plain, Piece{}));
 }
 
 void tst_PatternPieces::freeNumbersAreAboveAllInUse() {

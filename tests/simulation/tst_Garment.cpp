@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/geometry/Polygon.h"
+#include "core/pattern/PatternFabrics.h"
 #include "core/simulation/Garment.h"
 #include "core/simulation/MeshInputOf.h"
 
@@ -66,6 +67,7 @@ private slots:
     void aKnitHasMembraneCellsAndNoSprings();
     void wovenClothHasSpringsAndNoMembraneCells();
     void aStifferRegionHasStifferSprings();
+    void aFusedPieceIsHeavierAndStiffer();
 };
 
 void tst_Garment::massIsDensityTimesArea() {
@@ -185,6 +187,23 @@ void tst_Garment::aStifferRegionHasStifferSprings() {
     QVERIFY(std::abs(sum(stiff->model.bending) / sum(plain->model.bending) - (1 + 3) / 2.0) < 1e-12);
     QVERIFY(std::abs(sum(stiff->model.shear) / sum(plain->model.shear) - (1 + 5) / 2.0) < 1e-12);
     QVERIFY(sum(stiff->model.structural) > 1.4 * sum(plain->model.structural));
+}
+
+void tst_Garment::aFusedPieceIsHeavierAndStiffer() {
+    const pattern::Pattern plain = twoSquares(0.05).pattern; // 0.2 × 0.2 m each, sewn along one side
+    const pattern::Pattern fused = *setInterfacing(plain, plain.pieces[0]->id, pattern::Interfacing{9, 0.05});
+    const auto before = garmentOf(plain, true), after = garmentOf(fused, true);
+    QVERIFY(before && after);
+    QVERIFY(std::abs(massOf(*after) - massOf(*before) - 0.05 * 0.04) < 1e-12);
+    const auto sum = [](const auto& elements) {
+        double k = 0;
+        for (const auto& element : elements) k += element.stiffness;
+        return k;
+    };
+    // One of two equal pieces is nine times as stiff, and the seam between them has the mean of both.
+    QVERIFY(std::abs(sum(after->model.bending) / sum(before->model.bending) - 5) < 1e-12);
+    QVERIFY(std::abs(sum(after->model.hinges) / sum(before->model.hinges) - 5) < 1e-12);
+    QCOMPARE(sum(after->model.structural), sum(before->model.structural));
 }
 
 QTEST_APPLESS_MAIN(tst_Garment)

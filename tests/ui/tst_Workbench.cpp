@@ -284,8 +284,12 @@ void tst_Workbench::everyNumberOfASheetSetsWhatItShows() {
     Fixture fixture;
     Workbench bench(fixture.parts());
     bench.apply({QStringLiteral("Draw"), withRectangle(bench.document(), "Front", {0, 0}, 0.2, 0.3)});
-    const Selection things{bench.document().pattern.pieces[0]->id, bench.document().pattern.fabrics[0]->id,
-                           SceneItem{}};
+    const pattern::PieceId front = bench.document().pattern.pieces[0]->id;
+    bench.apply({QStringLiteral("Fuse"),
+                 *document::edited(bench.document(), [&](const pattern::Pattern& p, pattern::IdSource&) {
+                     return setInterfacing(p, front, pattern::Interfacing{});
+                 })});
+    const Selection things{front, bench.document().pattern.fabrics[0]->id, SceneItem{}};
     int numbers = 0;
     for (const Item& thing : things) {
         const auto sheet = [&](const document::Document& d) { return sheetOf({d, flattened(d.pattern), {thing}}, {}); };

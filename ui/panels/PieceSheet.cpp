@@ -117,6 +117,33 @@ void addPlacementRows(PropertySheet& sheet, const Piece& piece) {
                                     })}});
 }
 
+void addInterfacingRows(PropertySheet& sheet, const Piece& piece) {
+    const auto& now = piece.interfacing;
+    sheet.rows.push_back({QStringLiteral("interfaced"), tr("Interfacing"),
+                          FlagRow{now.has_value(), setting(piece.id,
+                                                           [](const Pattern& p, const PieceId& id, bool on) {
+                                                               return setInterfacing(p, id,
+                                                                                     on ? std::optional(Interfacing{})
+                                                                                        : std::nullopt);
+                                                           })},
+                          tr("Interlining fused to the wrong side: collars, cuffs, plackets.")});
+    if (!now) return;
+    const auto number = [&](const char* name, const QString& label, Quantity quantity, double Interfacing::*field,
+                            double low, double high, double step) {
+        sheet.rows.push_back(
+            {QString::fromLatin1(name), label,
+             NumberRow{quantity, *now.*field, low, high, step,
+                       setting(piece.id, [was = *now, field](const Pattern& p, const PieceId& id, double value) {
+                           Interfacing next = was;
+                           next.*field = value;
+                           return setInterfacing(p, id, next);
+                       })}});
+    };
+    number("interfacingBending", tr("Interfacing: bending"), Quantity::factor, &Interfacing::bendingFactor, 1, 100, 1);
+    number("interfacingDensity", tr("Interfacing: weight"), Quantity::arealDensity, &Interfacing::arealDensity, 0, 1,
+           5);
+}
+
 void addMeshFacts(PropertySheet& sheet, const Document& document, const Piece& piece, const meshing::MeshReport& mesh) {
     const auto& pieces = document.pattern.pieces;
     const auto at = std::ranges::find_if(pieces, [&](const auto& p) { return p->id == piece.id; }) - pieces.begin();
@@ -158,10 +185,11 @@ PropertySheet pieceSheet(const Document& document, const Piece& piece, const mes
         return setPieceFabric(p, id, fabrics[index]);
     });
     sheet.rows.push_back({QStringLiteral("fabric"), tr("Fabric"), fabric});
+    addInterfacingRows(sheet, piece);
     sheet.rows.push_back({QStringLiteral("spacing"), tr("Particle distance"),
                           NumberRow{Quantity::length, piece.spacing, 0.001, 0.2, 1, setting(piece.id, setSpacing)},
                           tr("ε_m, the spacing of the main region: smaller is finer and slower.")});
-    if (const auto* cloth = findFabric(document.pattern, piece.fabric)) {
+    if (const auto cloth = clothOf(document.pattern, piece)) {
         const double proposed = material::proposedSpacing(*cloth);
         sheet.rows.push_back(
             {QStringLiteral("proposedSpacing"), tr("Use %1 for this fabric").arg(textOf(Quantity::length, proposed)),
