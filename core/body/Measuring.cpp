@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/body/Measuring.h"
 
-#include "core/body/MeshSection.h"
-
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -83,6 +81,11 @@ Result<void> take(Measurements& m, const Body& body, const Tape& tape) {
 
 } // namespace
 
+std::optional<Plane> acrossTrunk(const Body& body, double height) {
+    const auto* torso = lineOf(body, Limb::torso);
+    return torso ? std::optional(Plane{atHeight(*torso, height)}) : std::nullopt;
+}
+
 Result<Measurements> measurementsOf(const Body& body) {
     const auto *torso = lineOf(body, Limb::torso), *arm = lineOf(body, Limb::leftArm),
                *leg = lineOf(body, Limb::leftLeg);
@@ -93,17 +96,17 @@ Result<Measurements> measurementsOf(const Body& body) {
     Measurements m;
     m.height = bounds.high.y - bounds.low.y;
     takeLengths(m, body, *arm);
-    const auto level = [](const std::vector<Vec3>& line, double y) { return Plane{atHeight(line, y)}; };
+    const auto trunk = [&](double height) { return *acrossTrunk(body, height); };
     const Vec3 up{0, std::cos(neckLean), std::sin(neckLean)};
     Tape tapes[] = {
-        {"bust", &Measurements::bust, level(*torso, at.bustLeft.y)},
-        {"underBust", &Measurements::underBust, level(*torso, at.bustLeft.y - underBustShare * m.height)},
-        {"waist", &Measurements::waist, level(*torso, at.waist.y)},
-        {"hip", &Measurements::hip, level(*torso, at.hip.y)},
+        {"bust", &Measurements::bust, trunk(at.bustLeft.y)},
+        {"underBust", &Measurements::underBust, trunk(at.bustLeft.y - underBustShare * m.height)},
+        {"waist", &Measurements::waist, trunk(at.waist.y)},
+        {"hip", &Measurements::hip, trunk(at.hip.y)},
         {"neck", &Measurements::neck, {lerp(at.nape, at.frontNeck, 0.5) + neckAbove * up, up}},
         {"biceps", &Measurements::biceps, acrossArm(*arm, at.wristLeft, bicepsShare)},
         {"wrist", &Measurements::wrist, acrossArm(*arm, at.wristLeft, 1)},
-        {"thigh", &Measurements::thigh, level(*leg, at.crotch.y - thighBelow)},
+        {"thigh", &Measurements::thigh, Plane{atHeight(*leg, at.crotch.y - thighBelow)}},
     };
     for (const Tape& tape : tapes)
         if (auto taken = take(m, body, tape); !taken) return tl::unexpected(taken.error());

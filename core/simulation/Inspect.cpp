@@ -49,11 +49,12 @@ std::vector<cloth::Strain> strainsOf(const Simulation& simulation, const Wanted&
 StrainSummary summaryOf(const std::vector<cloth::Strain>& strains) {
     StrainSummary summary;
     if (strains.empty()) return summary;
-    std::vector<std::pair<double, double>> warp, weft;
+    std::vector<std::pair<double, double>> warp, weft, shear;
     double area = 0, squares = 0;
     for (const cloth::Strain& strain : strains) {
         warp.emplace_back(strain.warp, strain.area);
         weft.emplace_back(strain.weft, strain.area);
+        shear.emplace_back(std::abs(strain.shear), strain.area);
         summary.warpMaximum = std::max(summary.warpMaximum, strain.warp);
         summary.weftMaximum = std::max(summary.weftMaximum, strain.weft);
         summary.shearMaximum = std::max(summary.shearMaximum, std::abs(strain.shear));
@@ -61,6 +62,9 @@ StrainSummary summaryOf(const std::vector<cloth::Strain>& strains) {
         area += strain.area;
     }
     summary.rms = std::sqrt(squares / (2 * area));
+    summary.warpPercentile95 = cloth::areaPercentile(warp, 0.95);
+    summary.weftPercentile95 = cloth::areaPercentile(weft, 0.95);
+    summary.shearPercentile95 = cloth::areaPercentile(std::move(shear), 0.95);
     summary.warpPercentile99 = cloth::areaPercentile(std::move(warp), 0.99);
     summary.weftPercentile99 = cloth::areaPercentile(std::move(weft), 0.99);
     return summary;

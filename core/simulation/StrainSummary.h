@@ -7,6 +7,8 @@ namespace toile::simulation {
 struct StrainSummary {
     double warpMaximum = 0, weftMaximum = 0, shearMaximum = 0; ///< largest stretch [–]; shear angle [rad]
     double warpPercentile99 = 0, weftPercentile99 = 0;         ///< of the area [–]
+    double warpPercentile95 = 0, weftPercentile95 = 0;         ///< of the area [–]
+    double shearPercentile95 = 0;                              ///< of the area, without sign [rad]
     double rms = 0;                                            ///< of warp and weft strain over the area [–]
 };
 

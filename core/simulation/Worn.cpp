@@ -208,6 +208,8 @@ void judgeStretch(WornReport& report, const Drape& drape, const WornSettings& se
     judge("weft", drape.wovenStrain->weftPercentile99, drape.wovenStrain->weftMaximum);
 }
 
+} // namespace
+
 std::vector<OpeningReport> openingReports(const std::vector<Opening>& openings, const Drape& drape,
                                           const body::Body& body) {
     const std::vector<NamedAxis> axes = axesOf(body);
@@ -215,8 +217,6 @@ std::vector<OpeningReport> openingReports(const std::vector<Opening>& openings, 
     for (const Opening& opening : openings) reports.push_back(openingReport(opening, drape, body, axes));
     return reports;
 }
-
-} // namespace
 
 bool hasNeckOpening(const Drape& drape, const body::Body& body) {
     const std::vector<OpeningReport> reports = openingReports(openingsOf(drape.triangles), drape, body);

@@ -58,6 +58,10 @@ struct Drape {
     std::optional<StrainSummary> wovenStrain = {}; ///< of the woven pieces; absent if all are knits
 };
 
+/// Of each border, the limbs that pass through it.
+[[nodiscard]] std::vector<OpeningReport> openingReports(const std::vector<Opening>& openings, const Drape& drape,
+                                                        const body::Body& body);
+
 [[nodiscard]] WornReport wornReport(const Drape& drape, const body::Body& body, const collision::BodySurface& surface,
                                     const WornSettings& settings = {});
 
