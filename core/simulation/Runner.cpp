@@ -55,6 +55,16 @@ public:
         reset_ = true;
         wake();
     }
+    void askForCheckpoint() {
+        asked_ = true;
+        wake();
+    }
+    void resume(Checkpoint checkpoint) {
+        playing_ = false;
+        resumed_.put(std::move(checkpoint));
+        wake();
+    }
+    [[nodiscard]] std::optional<Result<Checkpoint>> takeCheckpoint() { return checkpoints_.take(); }
     [[nodiscard]] bool isPlaying() const { return playing_; }
     [[nodiscard]] bool isBusy() const { return idleSince_ != signal_; }
     [[nodiscard]] std::optional<Frame> takeFrame() { return frames_.take(); }
@@ -69,7 +79,10 @@ private:
     Mailbox<Order> orders_;
     Mailbox<Frame> frames_;
     Mailbox<std::vector<Grip>> grips_;
+    Mailbox<Checkpoint> resumed_;
+    Mailbox<Result<Checkpoint>> checkpoints_;
     std::atomic<bool> playing_{false}, reset_{false};
+    std::atomic<bool> asked_{false};  ///< for a checkpoint
     std::atomic<bool> pushed_{false}; ///< play was ordered and not seen yet
     std::atomic<int> steps_{0};
     std::atomic<std::uint64_t> signal_{1};    ///< counts orders
@@ -83,6 +96,8 @@ private:
             const bool mayPlay = playing_, mayStep = steps_ > 0;
             if (auto order = orders_.take()) accept(std::move(*order));
             if (reset_.exchange(false)) restart();
+            if (auto checkpoint = resumed_.take()) goOnFrom(*checkpoint);
+            if (asked_.exchange(false)) tellWhereItStands();
             if (auto grips = grips_.take()) take(std::move(*grips));
             if (pushed_.exchange(false) && stands()) playUntil_ = simulation_->state().time + atLeast;
             if (mayStep) {
@@ -119,6 +134,17 @@ private:
     void restart() {
         simulation_.reset();
         if (generation_ > 0) adopt(Simulation::create(scene_));
+    }
+
+    void goOnFrom(const Checkpoint& checkpoint) {
+        auto resumed = Simulation::resumed(scene_, {}, checkpoint);
+        if (!resumed) return stopWith(toString(resumed.error()));
+        adopt(std::move(resumed));
+    }
+
+    void tellWhereItStands() {
+        if (stands()) checkpoints_.put(simulation_->checkpoint());
+        else checkpoints_.put(fail(ErrorCode::invalidInput, "There is no garment that could be simulated."));
     }
 
     /// A scene that cannot be built stands still; the garment before it is kept, and goes on when the next one can.
@@ -179,6 +205,15 @@ void Runner::reset() {
 }
 void Runner::hold(std::vector<Grip> grips) {
     worker_->hold(std::move(grips));
+}
+void Runner::askForCheckpoint() {
+    worker_->askForCheckpoint();
+}
+std::optional<Result<Checkpoint>> Runner::takeCheckpoint() {
+    return worker_->takeCheckpoint();
+}
+void Runner::resume(Checkpoint checkpoint) {
+    worker_->resume(std::move(checkpoint));
 }
 bool Runner::isPlaying() const {
     return worker_->isPlaying();

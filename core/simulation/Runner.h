@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Result.h"
+#include "core/simulation/Checkpoint.h"
 #include "core/simulation/Frame.h"
 #include "core/simulation/Grips.h"
 #include "core/simulation/Scene.h"
@@ -28,6 +30,12 @@ public:
     void reset(); ///< back to the placement, paused; nothing is held any more
     /// What hands hold from now on. While the cloth plays it follows them, also if it was at rest.
     void hold(std::vector<Grip> grips);
+    /// Asks where the simulation stands; takeCheckpoint() has it when the frame step under way is done.
+    void askForCheckpoint();
+    /// Refused where there is no garment that could stand anywhere.
+    [[nodiscard]] std::optional<Result<Checkpoint>> takeCheckpoint();
+    /// Goes on from there, paused. What belongs to another scene is refused by a frame's message; the garment stays.
+    void resume(Checkpoint checkpoint);
     [[nodiscard]] bool isPlaying() const;
     /// Something ordered is still to be done, or time is running: frames will come. Otherwise the thread sleeps.
     [[nodiscard]] bool isBusy() const;

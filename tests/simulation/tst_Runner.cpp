@@ -21,6 +21,8 @@ private slots:
     void aGarmentGoesOnAfterASceneThatCannotBeBuilt();
     void aGarmentAtRestSleepsUntilSomethingChanges();
     void aHandWakesAGarmentAtRest();
+    void aCheckpointIsGoneOnFromByAnotherRunner();
+    void aCheckpointOfAnotherSceneIsRefused();
     void fiveHundredEditsWhileItSews();
 
 private:
@@ -162,6 +164,49 @@ void tst_Runner::aHandWakesAGarmentAtRest() {
     QVERIFY(waitForFrame(runner, [](const Frame& f) {
         return std::ranges::any_of(f.positions, [](const Vec3& p) { return p.z > 0.08; });
     }));
+}
+
+namespace {
+
+Checkpoint checkpointOf(Runner& runner) {
+    runner.askForCheckpoint();
+    std::optional<Result<Checkpoint>> checkpoint;
+    (void)QTest::qWaitFor([&] { return (checkpoint = runner.takeCheckpoint()).has_value(); }, 60000);
+    if (!checkpoint || !*checkpoint) qFatal("no checkpoint");
+    return std::move(**checkpoint);
+}
+
+} // namespace
+
+void tst_Runner::aCheckpointIsGoneOnFromByAnotherRunner() {
+    Runner runner, another;
+    runner.setScene(twoSquares(0.05), 1);
+    runner.play();
+    QVERIFY(waitForFrame(runner, [](const Frame& frame) { return frame.time > 0.1; }));
+    runner.pause();
+    const Checkpoint checkpoint = checkpointOf(runner);
+    QVERIFY(checkpoint.time > 0.1);
+    another.setScene(twoSquares(0.05), 1);
+    another.resume(checkpoint);
+    for (Runner* each : {&runner, &another}) each->step();
+    const auto later = [&](const Frame& frame) { return frame.time > checkpoint.time; };
+    const auto here = waitForFrame(runner, later), there = waitForFrame(another, later);
+    QVERIFY(here && there);
+    QCOMPARE(there->time, here->time);
+    QVERIFY(there->positions == here->positions);
+    QVERIFY(!another.isPlaying());
+}
+
+void tst_Runner::aCheckpointOfAnotherSceneIsRefused() {
+    Runner runner, another;
+    runner.setScene(twoSquares(0.05), 1);
+    another.setScene(twoSquares(0.04), 1);
+    QVERIFY(waitForFrame(another, [](const Frame& frame) { return !frame.positions.empty(); }));
+    another.resume(checkpointOf(runner));
+    const auto refused = waitForFrame(another, [](const Frame& frame) { return !frame.message.empty(); });
+    QVERIFY(refused);
+    QVERIFY(refused->message.find("another scene") != std::string::npos);
+    QVERIFY(!refused->positions.empty()); // the garment stays
 }
 
 void tst_Runner::fiveHundredEditsWhileItSews() {

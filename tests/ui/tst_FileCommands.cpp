@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
 #include "WindowFixture.h"
+#include "core/document/DocumentEdits.h"
+#include "core/io/CheckpointFile.h"
 #include "core/io/ToileFile.h"
+#include "core/simulation/Simulation.h"
 
 #include <QLabel>
 #include <QMessageBox>
@@ -21,6 +24,8 @@ private Q_SLOTS:
     void initTestCase() { prepareApplication(); }
     void theDrapeIsExported_data();
     void theDrapeIsExported();
+    void aSimulationIsSavedAndResumedInAnotherWindow();
+    void aCheckpointThatCannotBeReadIsRefused();
     void withoutADrapeThereIsNothingToExport();
     void aGarmentCodePatternIsImported();
     void aBrokenFileIsRefusedWithASentence();
@@ -96,6 +101,46 @@ void tst_FileCommands::theDrapeIsExported() {
     Bench::nextFile(folder.filePath(asked));
     bench.key(Qt::Key_E, Qt::ControlModifier);
     QVERIFY(QFileInfo(folder.filePath(file)).size() > 1000);
+}
+
+void tst_FileCommands::aSimulationIsSavedAndResumedInAnotherWindow() {
+    QTemporaryDir folder;
+    const QString sample = qEnvironmentVariable("TOILE_SOURCE_DIR") + QStringLiteral("/samples/two-squares.toile");
+    Bench today, tomorrow;
+    QVERIFY(today.workbench.openCopy(sample));
+    today.key(Qt::Key_Space);
+    QTRY_VERIFY(today.workbench.frame() && today.workbench.frame()->time > 0.1);
+    today.key(Qt::Key_Space);
+    Bench::nextFile(folder.filePath(QStringLiteral("evening")));
+    today.action("simulation.saveCheckpoint")->trigger();
+    const QString file = folder.filePath(QStringLiteral("evening.checkpoint"));
+    QTRY_VERIFY(QFileInfo::exists(file));
+    QTRY_VERIFY(!today.workbench.isFollowing());
+
+    QVERIFY(tomorrow.workbench.openCopy(sample));
+    Bench::nextFile(file);
+    tomorrow.action("simulation.resume")->trigger();
+    QTRY_VERIFY(tomorrow.workbench.frame() && tomorrow.workbench.frame()->time > 0);
+    QCOMPARE(tomorrow.workbench.frame()->time, today.workbench.frame()->time);
+    QVERIFY(tomorrow.workbench.frame()->positions == today.workbench.frame()->positions);
+
+    // As the program without a window goes on with it.
+    const auto document = io::readToile(sample.toStdString());
+    const auto checkpoint = io::readCheckpoint(file.toStdString());
+    QVERIFY(document && checkpoint);
+    QVERIFY(simulation::Simulation::resumed(document::sceneOf(*document, {}), {}, *checkpoint));
+}
+
+void tst_FileCommands::aCheckpointThatCannotBeReadIsRefused() {
+    QTemporaryDir folder;
+    Bench bench;
+    QString sentence;
+    Bench::whenAsked<QMessageBox>([&](QMessageBox& box) {
+        sentence = box.informativeText();
+        box.accept();
+    });
+    bench.window.files().resumeFrom(written(folder, "broken.checkpoint", "{\"format\": \"toile-checkpoint\""));
+    QVERIFY(sentence.contains(QStringLiteral("broken.checkpoint")));
 }
 
 void tst_FileCommands::withoutADrapeThereIsNothingToExport() {

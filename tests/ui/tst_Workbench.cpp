@@ -10,6 +10,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <future>
+
 using namespace toile;
 using namespace toile::ui;
 
@@ -23,6 +25,7 @@ struct FakeSimulation : Simulation {
         bool playing = false, busy = false;
         int resets = 0;
         std::vector<simulation::Grip> grips;
+        std::optional<simulation::Checkpoint> resumed;
     };
     explicit FakeSimulation(Log& l) : log(l) {}
     void setScene(simulation::Scene, std::uint64_t generation) override { log.generations.push_back(generation); }
@@ -31,6 +34,9 @@ struct FakeSimulation : Simulation {
     void step() override {}
     void reset() override { ++log.resets; }
     void hold(std::vector<simulation::Grip> grips) override { log.grips = std::move(grips); }
+    void askForCheckpoint() override {}
+    std::optional<Result<simulation::Checkpoint>> takeCheckpoint() override { return {}; }
+    void resume(simulation::Checkpoint checkpoint) override { log.resumed = std::move(checkpoint); }
     bool isPlaying() const override { return log.playing; }
     bool isBusy() const override { return log.busy; }
     std::optional<simulation::Frame> takeFrame() override { return std::exchange(log.frame, std::nullopt); }
@@ -74,6 +80,7 @@ private Q_SLOTS:
     void theGarmentStaysInViewWhileItCannotBeBuilt();
     void framesAreAskedForOnlyWhileSomethingHappens();
     void anotherDocumentBeginsAnew();
+    void aSimulationIsResumedWhenItsBodyIsThere();
     void meshesOfTheNewestPatternArrive();
     void anEditNeverWaitsForAMesh();
     void undoBringsTheValueBack();
@@ -165,6 +172,26 @@ void tst_Workbench::anotherDocumentBeginsAnew() {
     bench.startFrom(twoRectangles(), {}, false);
     QVERIFY(!bench.isPlaying());
     QCOMPARE(fixture.log.resets, resets + 1);
+}
+
+void tst_Workbench::aSimulationIsResumedWhenItsBodyIsThere() {
+    Fixture fixture;
+    std::promise<void> read;
+    WorkbenchParts parts = fixture.parts();
+    parts.readBody = [done = read.get_future().share()](const std::string&) -> Result<body::Body> {
+        done.wait();
+        return body::Body{};
+    };
+    parts.readCheckpoint = [](const std::string&) { return Result<simulation::Checkpoint>({.steps = 7}); };
+    Workbench bench(std::move(parts));
+    bench.importAvatar(QStringLiteral("somebody.glb"));
+    QVERIFY(bench.resumeFrom({}));
+    QVERIFY(!fixture.log.resumed); // it would be taken for one of the scene without the body
+    const std::size_t scenes = fixture.log.generations.size();
+    read.set_value();
+    QTRY_VERIFY(fixture.log.resumed);
+    QCOMPARE(fixture.log.resumed->steps, 7);
+    QCOMPARE(fixture.log.generations.size(), scenes + 1);
 }
 
 void tst_Workbench::meshesOfTheNewestPatternArrive() {

@@ -83,6 +83,28 @@ void FileCommands::exportDrape() {
     workbench_.tell(tr("Exported %1").arg(QFileInfo(file).fileName()));
 }
 
+void FileCommands::saveCheckpoint() {
+    if (!workbench_.frame()) return workbench_.tell(tr("There is no simulation yet that could be saved."), true);
+    const QFileInfo document(workbench_.path());
+    const QString beside = document.absoluteDir().filePath(document.completeBaseName() + QStringLiteral(".checkpoint"));
+    const QString path =
+        QFileDialog::getSaveFileName(&window_, tr("Save checkpoint"), workbench_.path().isEmpty() ? QString() : beside,
+                                     tr("Toile checkpoints (*.checkpoint)"));
+    if (!path.isEmpty()) workbench_.saveCheckpoint(withEnding(path, QStringLiteral(".checkpoint")));
+}
+
+void FileCommands::resume() {
+    const QString path =
+        QFileDialog::getOpenFileName(&window_, tr("Resume"), QFileInfo(workbench_.path()).absolutePath(),
+                                     tr("Toile checkpoints (*.checkpoint);;All files (*)"));
+    if (!path.isEmpty()) resumeFrom(path);
+}
+
+void FileCommands::resumeFrom(const QString& checkpoint) {
+    if (auto resumed = workbench_.resumeFrom(checkpoint); !resumed)
+        complain(tr("The checkpoint cannot be resumed"), resumed.error());
+}
+
 void FileCommands::importAvatar() {
     const QString path =
         QFileDialog::getOpenFileName(&window_, tr("Import avatar"), QFileInfo(workbench_.path()).absolutePath(),

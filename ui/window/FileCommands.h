@@ -25,6 +25,9 @@ public:
     bool save();
     bool saveAs();
     void exportDrape();
+    void saveCheckpoint();
+    void resume();
+    void resumeFrom(const QString& checkpoint); ///< tells what goes wrong
     void importAvatar();
     void useMannequin(); ///< the body that comes with the samples
     void openSample(const QString& path);

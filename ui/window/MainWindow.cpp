@@ -138,7 +138,8 @@ void MainWindow::makeMenus() {
                       "look3d.body",  "look3d.meshLines",  "look3d.seams",  "look3d.regions", "-"});
     actions_.fill(*view->addMenu(tr("Mouse in the &3D view")), {"habits.clo", "habits.blender", "habits.maya"});
     menu(tr("&Avatar"), {"avatar.mannequin", "avatar.import", "avatar.remove"});
-    menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset"});
+    menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset", "-", "simulation.saveCheckpoint",
+                             "simulation.resume"});
     menu(tr("&Help"), {"help.about"});
 }
 

@@ -177,6 +177,20 @@ std::vector<ActionSpec> MainWindow::simulationActions() {
         {"simulation.step", tr("One s&tep"), QKeySequence(tr("Ctrl+.")), "step", false, [this] { workbench_.step(); }},
         {"simulation.reset", tr("&Reset"), QKeySequence(tr("Ctrl+R")), "reset", false, [this] { workbench_.reset(); },
          tr("Back to where the pieces were placed")},
+        {"simulation.saveCheckpoint",
+         tr("Save &checkpoint…"),
+         {},
+         {},
+         false,
+         [this] { files_->saveCheckpoint(); },
+         tr("Keep where the simulation stands in a file, to go on from there another day")},
+        {"simulation.resume",
+         tr("R&esume…"),
+         {},
+         {},
+         false,
+         [this] { files_->resume(); },
+         tr("Go on from a checkpoint of this pattern")},
     };
 }
 

@@ -2,6 +2,7 @@
 #include "ui/workbench/RealParts.h"
 
 #include "core/io/BodyImport.h"
+#include "core/io/CheckpointFile.h"
 #include "core/io/DocumentFile.h"
 #include "core/io/DrapeExport.h"
 #include "core/io/ToileFile.h"
@@ -44,6 +45,10 @@ WorkbenchParts realParts(const QString& recoveryFolder) {
         // A body of ours says what it is; a foreign file that does not look human is a thing to drape over.
         auto human = io::readBody(file);
         return human ? human : io::readBody(file, {.isHuman = false});
+    };
+    parts.readCheckpoint = io::readCheckpoint;
+    parts.writeCheckpoint = [](const std::string& file, const simulation::Checkpoint& checkpoint) {
+        return io::writeCheckpoint(checkpoint, file);
     };
     parts.mesh = previewMesher();
     parts.simulation = std::make_unique<RunnerSimulation>();

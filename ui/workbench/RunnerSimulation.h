@@ -17,6 +17,11 @@ public:
     void step() override { runner_.step(); }
     void reset() override { runner_.reset(); }
     void hold(std::vector<simulation::Grip> grips) override { runner_.hold(std::move(grips)); }
+    void askForCheckpoint() override { runner_.askForCheckpoint(); }
+    [[nodiscard]] std::optional<Result<simulation::Checkpoint>> takeCheckpoint() override {
+        return runner_.takeCheckpoint();
+    }
+    void resume(simulation::Checkpoint checkpoint) override { runner_.resume(std::move(checkpoint)); }
     [[nodiscard]] bool isPlaying() const override { return runner_.isPlaying(); }
     [[nodiscard]] bool isBusy() const override { return runner_.isBusy(); }
     [[nodiscard]] std::optional<simulation::Frame> takeFrame() override { return runner_.takeFrame(); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Result.h"
+#include "core/simulation/Checkpoint.h"
 #include "core/simulation/Frame.h"
 #include "core/simulation/Grips.h"
 #include "core/simulation/Scene.h"
@@ -20,6 +22,9 @@ public:
     virtual void step() = 0;
     virtual void reset() = 0;
     virtual void hold(std::vector<simulation::Grip> grips) = 0;
+    virtual void askForCheckpoint() = 0;
+    [[nodiscard]] virtual std::optional<Result<simulation::Checkpoint>> takeCheckpoint() = 0;
+    virtual void resume(simulation::Checkpoint checkpoint) = 0;
     [[nodiscard]] virtual bool isPlaying() const = 0;
     [[nodiscard]] virtual bool isBusy() const = 0; ///< frames will come
     [[nodiscard]] virtual std::optional<simulation::Frame> takeFrame() = 0;

@@ -128,6 +128,7 @@ void Workbench::startFrom(document::Document document, const QString& path, bool
     if (journal_) journal_->clear();
     recovery_.stop();
     pause();
+    resumeWhenReady_.reset();
     scene_.reset();
     resetNext_ = true;
     selection_.clear();
@@ -206,6 +207,30 @@ void Workbench::hold(std::vector<simulation::Grip> grips) {
     follow();
 }
 
+void Workbench::saveCheckpoint(const QString& path) {
+    checkpointPath_ = path;
+    if (parts_.simulation) parts_.simulation->askForCheckpoint();
+    follow();
+}
+
+void Workbench::takeCheckpoint() {
+    const auto checkpoint = parts_.simulation->takeCheckpoint();
+    if (!checkpoint) return;
+    const auto written = checkpoint->and_then(
+        [this](const simulation::Checkpoint& c) { return parts_.writeCheckpoint(checkpointPath_.toStdString(), c); });
+    if (written) tell(tr("Saved %1").arg(QFileInfo(checkpointPath_).fileName()));
+    else tell(QString::fromStdString(toString(written.error())), true);
+}
+
+Result<void> Workbench::resumeFrom(const QString& path) {
+    auto read = parts_.readCheckpoint(path.toStdString());
+    if (!read) return tl::unexpected(read.error());
+    if (bodyLoading_) resumeWhenReady_ = std::move(*read);
+    else if (parts_.simulation) parts_.simulation->resume(std::move(*read));
+    follow();
+    return {};
+}
+
 void Workbench::follow() {
     if (!parts_.simulation) return;
     frames_.start();
@@ -215,6 +240,7 @@ void Workbench::follow() {
 void Workbench::pollFrame() {
     if (!parts_.simulation) return;
     if (!parts_.simulation->isBusy()) frames_.stop(); // asked before the frame is taken: the last one is not missed
+    takeCheckpoint();
     if (auto frame = parts_.simulation->takeFrame(); frame && frame->generation == generation_ && scene_) {
         if (!frame->message.empty()) tell(QString::fromStdString(frame->message), true);
         const bool wasBuilt = frame->message.empty(); // else the garment as it was stays in view
@@ -269,6 +295,8 @@ void Workbench::takeBody(const QString& file, Result<body::Body> body) {
     else tell(QString::fromStdString(toString(body.error())), true);
     Q_EMIT bodyChanged();
     handOver();
+    if (auto checkpoint = std::exchange(resumeWhenReady_, std::nullopt); checkpoint && parts_.simulation)
+        parts_.simulation->resume(std::move(*checkpoint));
     if (std::exchange(playWhenReady_, false)) play();
 }
 

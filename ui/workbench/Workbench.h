@@ -20,6 +20,8 @@ struct WorkbenchParts {
     std::function<Result<document::Document>(const std::string& file)> read;
     std::function<Result<void>(const std::string& file, const document::Document&)> write;
     std::function<Result<body::Body>(const std::string& file)> readBody;
+    std::function<Result<simulation::Checkpoint>(const std::string& file)> readCheckpoint;
+    std::function<Result<void>(const std::string& file, const simulation::Checkpoint&)> writeCheckpoint;
     MeshPreview::Mesher mesh;
     std::unique_ptr<Simulation> simulation;
     QString recoveryFolder;                        ///< empty = no crash journal
@@ -75,6 +77,10 @@ public:
     void reset();
     /// What hands hold from now on; what plays follows them.
     void hold(std::vector<simulation::Grip> grips);
+    /// Writes where the simulation stands, once the frame step under way is done.
+    void saveCheckpoint(const QString& path);
+    /// The garment goes on from there, paused: now, or when its body has been read.
+    [[nodiscard]] Result<void> resumeFrom(const QString& path);
     /// Asks for a new frame; called by a timer 60 times a second while the simulation has something to do.
     void pollFrame();
     [[nodiscard]] bool isFollowing() const { return frames_.isActive(); }
@@ -96,6 +102,7 @@ private:
     void documentMoved();
     void loadBody();
     void takeBody(const QString& file, Result<body::Body> body);
+    void takeCheckpoint();
     void follow();   ///< what was ordered
     void handOver(); ///< document → mesh preview and simulation
     void record();
@@ -112,6 +119,8 @@ private:
     QString bodyFile_;         ///< path that body_ was read from, or is being read from
     bool bodyLoading_ = false; ///< the simulation waits for it
     bool playWhenReady_ = false;
+    std::optional<simulation::Checkpoint> resumeWhenReady_;
+    QString checkpointPath_;                        ///< where the checkpoint that was asked for goes
     bool resetNext_ = false;                        ///< the next scene begins anew
     std::uint64_t generation_ = 0;                  ///< of scene_
     std::uint64_t patternGeneration_ = 0;           ///< of meshedPattern_
