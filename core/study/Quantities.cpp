@@ -173,8 +173,7 @@ void appendShoulders(std::vector<Found>& found, const Seen& all) {
 Found contactArea(const Seen& all) {
     std::vector<bool> touches;
     for (std::size_t i = 0; i < all.cloth.vertices.size(); ++i) {
-        const auto nearest =
-            all.worn.surface->nearest(all.cloth.vertices[i], all.worn.touching[i] + contactMargin);
+        const auto nearest = all.worn.surface->nearest(all.cloth.vertices[i], all.worn.touching[i] + contactMargin);
         touches.push_back(nearest && nearest->signedDistance <= all.worn.touching[i] + contactMargin);
     }
     double area = 0;
@@ -190,22 +189,21 @@ struct Description {
     Measure measure;
 };
 
-constexpr std::array descriptions{
-    Description{"hem at the centre front", "hemFront", Measure::length},
-    Description{"hem at the centre back", "hemBack", Measure::length},
-    Description{"hem at the left side", "hemLeft", Measure::length},
-    Description{"hem at the right side", "hemRight", Measure::length},
-    Description{"folds at the hem", "hemFolds", Measure::count},
-    Description{"ease at the bust", "bustEase", Measure::length},
-    Description{"ease at the waist", "waistEase", Measure::length},
-    Description{"ease at the hip", "hipEase", Measure::length},
-    Description{"back neck to nape", "napeDistance", Measure::length},
-    Description{"height of the shoulder points", "shoulderHeight", Measure::length},
-    Description{"distance of the shoulder points", "shoulderDistance", Measure::length},
-    Description{"contact with the body", "contactArea", Measure::area},
-    Description{"strain along warp, 95 %", "warpStrain", Measure::strain},
-    Description{"strain along weft, 95 %", "weftStrain", Measure::strain},
-    Description{"shear, 95 %", "shear", Measure::strain}};
+constexpr std::array descriptions{Description{"hem at the centre front", "hemFront", Measure::length},
+                                  Description{"hem at the centre back", "hemBack", Measure::length},
+                                  Description{"hem at the left side", "hemLeft", Measure::length},
+                                  Description{"hem at the right side", "hemRight", Measure::length},
+                                  Description{"folds at the hem", "hemFolds", Measure::count},
+                                  Description{"ease at the bust", "bustEase", Measure::length},
+                                  Description{"ease at the waist", "waistEase", Measure::length},
+                                  Description{"ease at the hip", "hipEase", Measure::length},
+                                  Description{"back neck to nape", "napeDistance", Measure::length},
+                                  Description{"height of the shoulder points", "shoulderHeight", Measure::length},
+                                  Description{"distance of the shoulder points", "shoulderDistance", Measure::length},
+                                  Description{"contact with the body", "contactArea", Measure::area},
+                                  Description{"strain along warp, 95 %", "warpStrain", Measure::strain},
+                                  Description{"strain along weft, 95 %", "weftStrain", Measure::strain},
+                                  Description{"shear, 95 %", "shear", Measure::strain}};
 constexpr std::size_t ofTheBody = 12; ///< of them; the others need none
 
 void appendWorn(std::vector<Found>& found, const WornDrape& worn) {
@@ -269,7 +267,8 @@ int foldsOf(const std::vector<Vec3>& line) {
 std::vector<Quantity> quantitiesOf(const WornDrape& worn) {
     std::vector<Found> found;
     appendWorn(found, worn);
-    for (const double strain : {worn.strain.warpPercentile95, worn.strain.weftPercentile95, worn.strain.shearPercentile95})
+    for (const double strain :
+         {worn.strain.warpPercentile95, worn.strain.weftPercentile95, worn.strain.shearPercentile95})
         found.push_back(strain);
     expects(found.size() == descriptions.size(), "a finding for each quantity");
     std::vector<Quantity> quantities;
@@ -285,7 +284,8 @@ std::vector<Quantity> quantitiesOf(const WornDrape& worn) {
 std::vector<Quantity> quantitiesOf(const simulation::Simulation& simulation) {
     const simulation::Drape drape = simulation::drapeOf(simulation);
     const simulation::Scene& scene = simulation.scene();
-    WornDrape worn{drape, scene.body ? &**scene.body : nullptr, simulation.body(), {}, simulation::strainOf(simulation)};
+    WornDrape worn{
+        drape, scene.body ? &**scene.body : nullptr, simulation.body(), {}, simulation::strainOf(simulation)};
     for (const double half : simulation.garment().halfThickness)
         worn.touching.push_back(scene.settings.skinOffset + half);
     return quantitiesOf(worn);
