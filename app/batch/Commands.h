@@ -63,6 +63,7 @@ struct AvatarOptions {
 struct StudyOptions {
     std::vector<std::string> cases; ///< scenes by name, empty = all; or one document
     bool full = false;              ///< finer and longer
+    bool fresh = false;             ///< measures again what stands in the folder already
     std::string out;                ///< folder of the report
     bool quiet = false;
 };

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
+#include "app/batch/RecordBook.h"
 #include "app/batch/StudyFolder.h"
 #include "core/base/AtomicFile.h"
+#include "core/study/AccuracyRecords.h"
 #include "core/study/AccuracyReport.h"
 
 #include <algorithm>
@@ -15,17 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 
 Result<void> writeAll(const fs::path& folder, const std::vector<study::CaseResult>& results,
-                      const study::Circumstances& circumstances) {
-    std::string lines;
+                      const std::vector<Json>& records, const study::Circumstances& circumstances) {
     for (const study::CaseResult& result : results) {
-        for (const Json& record : study::recordsOf(result, circumstances)) lines += toLine(record) + '\n';
         const fs::path script = folder / (study::fileNameOf(result) + ".gp");
         if (auto written = writeFileAtomically(script, study::gnuplotScript(result, circumstances.calibration));
             !written)
             return written;
     }
-    if (auto written = writeFileAtomically(folder / "results.jsonl", lines); !written) return written;
-    return writeFileAtomically(folder / "report.md", study::accuracyText(results, circumstances));
+    return writeReport(folder, study::accuracyText(results, circumstances), records);
 }
 
 } // namespace
@@ -49,20 +48,29 @@ int studyAccuracy(const StudyOptions& options, std::stop_token stop) {
     const study::Circumstances circumstances =
         circumstancesOf(fmt::format("toile-cli study accuracy{}{} --{} --out {}", options.cases.empty() ? "" : " ",
                                     fmt::join(options.cases, " "), options.full ? "full" : "quick", options.out));
+    auto book = RecordBook::opened(options.out, circumstances, options.fresh);
+    if (!book) {
+        printError(book.error());
+        return inputWrong;
+    }
     ProgressBar bar(options.quiet);
     std::vector<study::CaseResult> results;
     for (std::size_t i = 0; i < plan.cases.size(); ++i) {
         const auto whole = [&, shown = bar.progress()](double fraction, const std::string& what) {
             report(shown, (static_cast<double>(i) + fraction) / static_cast<double>(plan.cases.size()), what);
         };
-        auto result = study::studied(plan.cases[i], plan.repetitions, stop, whole);
+        auto result = book->part(
+            study::keysOf(plan.cases[i]), [&](const auto& known) { return study::resultFrom(plan.cases[i], known); },
+            [&] { return study::studied(plan.cases[i], plan.repetitions, stop, whole); },
+            [&](const study::CaseResult& run) { return study::recordsOf(run, circumstances); });
         if (!result) {
             printError(result.error());
             return inputWrong;
         }
         results.push_back(std::move(*result));
     }
-    if (auto written = writeAll(options.out, results, circumstances); !written) {
+    fmt::print("{}", book->standingText());
+    if (auto written = writeAll(options.out, results, book->records(), circumstances); !written) {
         printError(written.error());
         return inputWrong;
     }

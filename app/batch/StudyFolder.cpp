@@ -2,6 +2,7 @@
 #include "app/batch/StudyFolder.h"
 
 #include "app/batch/BuildFacts.h"
+#include "core/base/AtomicFile.h"
 #include "core/study/Calibration.h"
 
 #include <fmt/format.h>
@@ -36,6 +37,28 @@ study::Circumstances circumstancesOf(std::string command) {
     const BuildFacts facts = buildFacts();
     return {fmt::format("toile-cli {} ({})", facts.version, facts.commit), std::move(command), processorName(),
             study::calibrationSeconds()};
+}
+
+Result<void> writeReport(const fs::path& folder, const std::string& text, const std::vector<Json>& records) {
+    std::string lines;
+    for (const Json& record : records) lines += toLine(record) + '\n';
+    if (auto written = writeFileAtomically(folder / "results.jsonl", lines); !written) return written;
+    return writeFileAtomically(folder / "report.md", text);
+}
+
+Result<std::vector<Json>> recordsIn(const fs::path& report) {
+    const fs::path path = fs::is_directory(report) ? report / "results.jsonl" : report;
+    std::ifstream file(path);
+    if (!file) return fail(ErrorCode::io, "There is no such report.", {path.string()});
+    std::vector<Json> records;
+    int number = 0;
+    for (std::string line; std::getline(file, line);) {
+        ++number;
+        auto record = parseJson(line, path.string());
+        if (!record) return fail(record.error().code, record.error().text, {path.string(), number});
+        records.push_back(std::move(*record));
+    }
+    return records;
 }
 
 bool drawn(const fs::path& script) {

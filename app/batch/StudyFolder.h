@@ -5,6 +5,8 @@
 #include "core/study/Circumstances.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace toile::batch {
 
@@ -13,6 +15,13 @@ namespace toile::batch {
 
 /// This build and this machine; takes a moment, to calibrate its time.
 [[nodiscard]] study::Circumstances circumstancesOf(std::string command);
+
+/// report.md, and results.jsonl with a record a line.
+[[nodiscard]] Result<void> writeReport(const std::filesystem::path& folder, const std::string& text,
+                                       const std::vector<Json>& records);
+
+/// The records of a report: of its folder, or of its results.jsonl.
+[[nodiscard]] Result<std::vector<Json>> recordsIn(const std::filesystem::path& report);
 
 /// Runs gnuplot on a script in its folder. False where there is none, or it fails.
 [[nodiscard]] bool drawn(const std::filesystem::path& script);

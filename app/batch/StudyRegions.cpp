@@ -3,17 +3,14 @@
 #include "app/batch/Console.h"
 #include "app/batch/Opening.h"
 #include "app/batch/StudyFolder.h"
-#include "core/base/AtomicFile.h"
 #include "core/io/DocumentFile.h"
 #include "core/study/Regions.h"
 
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace toile::batch {
 
 int studyRegions(const StudyOptions& options, std::stop_token stop) {
-    namespace fs = std::filesystem;
     const auto refuse = [](const Error& error) {
         printError(error);
         return static_cast<int>(inputWrong);
@@ -27,19 +24,20 @@ int studyRegions(const StudyOptions& options, std::stop_token stop) {
 
     const double finest = study::finestSpacing(opened->scene.pattern).value_or(0);
     ProgressBar bar(options.quiet);
-    auto study =
-        study::studyRegions(opened->scene, options.full ? finest / 2 : finest, {.hold = 0}, stop, bar.progress());
+    const study::RegionsSettings settings{.referenceSpacing = options.full ? finest / 2 : finest,
+                                          .repetitions = options.full ? 5 : 3,
+                                          .sewing = {.hold = 0}};
+    const study::Circumstances circumstances = circumstancesOf(
+        fmt::format("toile-cli study regions {} --{} --out {}", file, options.full ? "full" : "quick", options.out));
+    auto study = study::studyRegions(opened->scene, settings, stop, bar.progress());
     if (!study) {
         Error error = study.error();
         if (error.place.file.empty()) error.place.file = file;
         return refuse(error);
     }
-    const std::string command =
-        fmt::format("toile-cli study regions {} --{} --out {}", file, options.full ? "full" : "quick", options.out);
-    const fs::path folder(options.out);
-    if (auto written = writeFileAtomically(folder / "report.md", study::regionsText(*study, file, command)); !written)
-        return refuse(written.error());
-    if (auto written = writeFileAtomically(folder / "results.jsonl", toLine(study::toJson(*study)) + '\n'); !written)
+    if (auto written = writeReport(options.out, study::regionsText(*study, file, circumstances),
+                                   study::recordsOf(*study, file, circumstances));
+        !written)
         return refuse(written.error());
     fmt::print("{}\n{}/report.md\n", study::verdictOn(*study), options.out);
     return done;

@@ -27,11 +27,8 @@ std::string commandOf(const CasesOptions& options) {
 Result<bool> written(const CasesOptions& options, const Findings& all, const std::vector<NotRun>& notRun) {
     const std::filesystem::path folder(options.out);
     const study::Circumstances circumstances = circumstancesOf(commandOf(options));
-    std::string lines;
-    for (const Json& record : recordsOf(all.rows, all.map, notRun, circumstances)) lines += toLine(record) + '\n';
-    if (auto done = writeFileAtomically(folder / "results.jsonl", lines); !done) return tl::unexpected(done.error());
-    if (auto done =
-            writeFileAtomically(folder / "report.md", stabilityText(all.rows, notRun, !all.map.empty(), circumstances));
+    if (auto done = writeReport(folder, stabilityText(all.rows, notRun, !all.map.empty(), circumstances),
+                                recordsOf(all.rows, all.map, notRun, circumstances));
         !done)
         return tl::unexpected(done.error());
     if (all.map.empty()) return true;

@@ -2,10 +2,8 @@
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
 #include "app/batch/StudyFolder.h"
-#include "core/base/AtomicFile.h"
 #include "core/io/DocumentFile.h"
 
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace toile::batch {
@@ -19,7 +17,6 @@ std::string commandOf(const StorageOptions& options) {
 }
 
 Result<void> run(const StorageOptions& options) {
-    namespace fs = std::filesystem;
     const auto opened = io::readDocument(options.file);
     if (!opened) return tl::unexpected(opened.error());
     Result<pattern::Pattern> pattern = opened->document.pattern;
@@ -28,10 +25,9 @@ Result<void> run(const StorageOptions& options) {
     const auto study = study::studyStorage(*pattern);
     if (!study) return tl::unexpected(study.error());
     if (auto made = madeFolder(options.out); !made) return made;
-    const fs::path folder(options.out);
-    const std::string text = study::storageText(*study, options.file, commandOf(options));
-    if (auto written = writeFileAtomically(folder / "report.md", text); !written) return written;
-    if (auto written = writeFileAtomically(folder / "results.jsonl", toLine(study::toJson(*study)) + '\n'); !written)
+    const study::Circumstances circumstances = circumstancesOf(commandOf(options));
+    const std::string text = study::storageText(*study, options.file, circumstances);
+    if (auto written = writeReport(options.out, text, study::recordsOf(*study, options.file, circumstances)); !written)
         return written;
     fmt::print("{}", text);
     return {};

@@ -3,7 +3,6 @@
 #include "app/batch/Console.h"
 #include "app/batch/StudyCases.h"
 #include "app/batch/StudyFolder.h"
-#include "core/base/AtomicFile.h"
 #include "core/study/validation/Report.h"
 
 #include <algorithm>
@@ -40,13 +39,8 @@ Result<std::vector<Outcome>> run(const CasesOptions& options, std::stop_token st
     if (options.out.empty()) return outcomes;
 
     const study::Circumstances circumstances = circumstancesOf(commandOf(options));
-    std::string lines;
-    for (const Json& record : recordsOf(outcomes, chosen->others, circumstances)) lines += toLine(record) + '\n';
-    const std::filesystem::path folder(options.out);
-    if (auto written = writeFileAtomically(folder / "results.jsonl", lines); !written)
-        return tl::unexpected(written.error());
-    if (auto written =
-            writeFileAtomically(folder / "report.md", validationText(outcomes, chosen->others, circumstances));
+    if (auto written = writeReport(options.out, validationText(outcomes, chosen->others, circumstances),
+                                   recordsOf(outcomes, chosen->others, circumstances));
         !written)
         return tl::unexpected(written.error());
     fmt::print("{}/report.md\n", options.out);

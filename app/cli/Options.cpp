@@ -194,6 +194,10 @@ std::optional<study::FineBox> fineBoxOf(const std::string& text) {
     return box;
 }
 
+void addFresh(CLI::App& command, bool& fresh) {
+    command.add_flag("--fresh", fresh, "measure again what stands in the folder already; else the study goes on");
+}
+
 void declareStorage(CLI::App& study, std::function<int()>& chosen) {
     auto* storage = study.add_subcommand("storage", "nodes, elements and bytes of a document's regions");
     auto options = std::make_shared<StorageOptions>();
@@ -242,6 +246,7 @@ void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& cho
     accuracy->add_option("CASE", options->cases, "oscillator, flap, two-corners; all if none is named");
     accuracy->add_flag("--full,!--quick", options->full, "32 cells a side and the stiffest cloth too; else 16");
     accuracy->add_option("--out", options->out, "folder of report.md, results.jsonl and pictures")->required();
+    addFresh(*accuracy, options->fresh);
     accuracy->add_flag("--quiet", options->quiet, "no progress");
     accuracy->callback(
         [options, stop, &chosen] { chosen = [options, stop] { return batch::studyAccuracy(*options, stop); }; });

@@ -2,6 +2,7 @@
 #include "core/study/Accuracy.h"
 
 #include "core/base/Contracts.h"
+#include "core/study/Repetitions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +13,8 @@ namespace {
 
 using dynamics::Method;
 
-constexpr double noisyRatio = 1.3;   ///< median over least time beyond which the machine was too busy [–]
 constexpr double bandFactor = 3;     ///< times the reference's own error: nothing below is told apart [–]
 constexpr double explicitPart = 0.5; ///< of its limit that an explicit method takes at once [–]
-constexpr double shortest = 0.005;   ///< below which a run's time is no measure of noise [s]
 
 int stepsBelow(double limit, double duration) {
     const int steps = static_cast<int>(std::ceil(duration / limit));
@@ -56,11 +55,6 @@ Result<Reference> referenceOf(const Scene& scene, std::stop_token stop) {
     return reference;
 }
 
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
-
 } // namespace
 
 double bandOf(const Reference& reference) {
@@ -97,34 +91,34 @@ Result<CaseResult> studied(const AccuracyCase& which, int repetitions, std::stop
     std::vector<std::vector<double>> seconds(count);
     for (const Setup& setup : which.setups)
         result.runs.push_back({.setup = setup, .step = result.scene.duration / (setup.steps * setup.substeps)});
-    for (int repetition = 0; repetition < repetitions; ++repetition)
-        for (std::size_t i = 0; i < count; ++i) {
-            RunResult& run = result.runs[i];
-            if (!run.failure.empty()) continue;
-            report(progress, double(repetition * count + i) / double(repetitions * count),
-                   fmt::format("{}: {}", result.scene.name, dynamics::nameOf(run.setup.method)));
-            const auto trajectory = trajectoryOf(result.scene, run.setup, stop);
-            if (!trajectory) {
-                if (trajectory.error().code == ErrorCode::cancelled) return tl::unexpected(trajectory.error());
-                run.failure = trajectory.error().text;
-                run.solved = false;
-                continue;
-            }
-            seconds[i].push_back(trajectory->seconds);
-            if (repetition > 0) continue; // the same bits again
-            run.error = differenceOf(result.scene, *trajectory, result.reference.trajectory);
-            run.report = trajectory->report;
-            run.solved = trajectory->report.accurate;
-            run.energyChange = trajectory->energyChange;
-            run.inBand = run.error.maximum < bandOf(result.reference);
-        }
-    for (std::size_t i = 0; i < count; ++i) {
-        if (seconds[i].empty()) continue;
+    const auto runOne = [&](std::size_t i, int repetition) -> Result<void> {
         RunResult& run = result.runs[i];
-        const double least = std::ranges::min(seconds[i]), middle = median(seconds[i]);
-        run.secondsLeast = least / result.scene.duration;
-        run.secondsMedian = middle / result.scene.duration;
-        run.noisy = middle > noisyRatio * least && least > shortest;
+        if (!run.failure.empty()) return {};
+        report(progress, double(repetition * count + i) / double(repetitions * count),
+               fmt::format("{}: {}", result.scene.name, dynamics::nameOf(run.setup.method)));
+        const auto trajectory = trajectoryOf(result.scene, run.setup, stop);
+        if (!trajectory) {
+            if (trajectory.error().code == ErrorCode::cancelled) return tl::unexpected(trajectory.error());
+            run.failure = trajectory.error().text;
+            run.solved = false;
+            return {};
+        }
+        seconds[i].push_back(trajectory->seconds);
+        if (repetition > 0) return {}; // the same bits again
+        run.error = differenceOf(result.scene, *trajectory, result.reference.trajectory);
+        run.report = trajectory->report;
+        run.solved = trajectory->report.accurate;
+        run.energyChange = trajectory->energyChange;
+        run.inBand = run.error.maximum < bandOf(result.reference);
+        return {};
+    };
+    if (auto done = inTurns(count, repetitions, runOne); !done) return tl::unexpected(done.error());
+    for (std::size_t i = 0; i < count; ++i) {
+        const RunTime time = runTimeOf(seconds[i]);
+        RunResult& run = result.runs[i];
+        run.secondsLeast = time.least / result.scene.duration;
+        run.secondsMedian = time.median / result.scene.duration;
+        run.noisy = time.noisy;
     }
     return result;
 }

@@ -2,6 +2,7 @@
 #include "core/study/AccuracyReport.h"
 
 #include "core/study/Front.h"
+#include "core/study/Repetitions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,11 +106,7 @@ void appendConclusion(std::string& text, const CaseResult& result) {
     const auto noisy = std::ranges::count_if(runs, [](const RunResult* run) { return run->noisy; });
     text += '\n';
     if (noisy > 0) {
-        fmt::format_to(
-            std::back_inserter(text),
-            "**No conclusion about cost**: {} of {} runs took over 1.3 times their least time in the median. Run "
-            "it again on a machine that does nothing else.\n\n",
-            noisy, runs.size());
+        text += tooNoisy(static_cast<std::size_t>(noisy), runs.size()) + "\n\n";
         return;
     }
     std::pair<double, std::string> cheapest{std::numeric_limits<double>::infinity(), ""};
@@ -128,37 +125,6 @@ void appendConclusion(std::string& text, const CaseResult& result) {
 std::string fileNameOf(const CaseResult& result) {
     return result.scene.name == "oscillator" ? result.scene.name
                                              : fmt::format("{}-{:g}", result.scene.name, result.stiffnessFactor);
-}
-
-std::vector<Json> recordsOf(const CaseResult& result, const Circumstances& circumstances) {
-    const auto& model = result.scene.model;
-    Json scene, springs, reference;
-    springs.set("structural", model.structural.size()).set("shear", model.shear.size());
-    springs.set("bending", model.bending.size()).set("twist", model.twist.size());
-    scene.set("name", result.scene.name).set("particles", model.particleCount()).set("springs", springs);
-    scene.set("stiffness", result.scene.stiffness).set("duration", result.scene.duration);
-    scene.set("explicitStepLimit", stepLimitOf(result.scene, Method::symplecticEuler));
-    reference.set("method", std::string(dynamics::nameOf(result.reference.setup.method)));
-    reference.set("step", result.scene.duration / result.reference.setup.steps);
-    reference.set("selfError", result.reference.selfError);
-    std::vector<Json> records;
-    for (const RunResult& run : result.runs) {
-        Json method, outcome, cost, record;
-        method.set("integrator", std::string(dynamics::nameOf(run.setup.method))).set("step", run.step);
-        method.set("substeps", run.setup.substeps).set("tolerance", run.setup.tolerance).set("threads", 1);
-        if (run.failure.empty())
-            outcome.set("rmsError", run.error.rms).set("maximumError", run.error.maximum).set("inBand", run.inBand);
-        outcome.set("energyRelativeChange", run.energyChange);
-        cost.set("cpuSecondsMinimum", run.secondsLeast).set("cpuSecondsMedian", run.secondsMedian);
-        cost.set("parts", run.report.parts).set("newtonIterations", run.report.newtonIterations);
-        cost.set("solves", run.report.factorizations).set("cgIterations", run.report.gradientIterations);
-        cost.set("rejectedSteps", run.report.repeated);
-        note(record, "toile-study-1", circumstances);
-        record.set("scene", scene).set("method", method).set("reference", reference).set("result", outcome);
-        record.set("cost", cost).set("status", run.failure.empty() && run.solved ? "done" : statusOf(run));
-        records.push_back(std::move(record));
-    }
-    return records;
 }
 
 std::string accuracyText(const std::vector<CaseResult>& results, const Circumstances& circumstances) {

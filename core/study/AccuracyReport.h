@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/Json.h"
 #include "core/study/Accuracy.h"
 #include "core/study/Circumstances.h"
 
@@ -9,9 +8,6 @@
 #include <vector>
 
 namespace toile::study {
-
-/// One record a run, as validation.md section 3 has it; keys that do not apply are absent.
-[[nodiscard]] std::vector<Json> recordsOf(const CaseResult& result, const Circumstances& circumstances);
 
 /// "flap-100": of files that belong to a case.
 [[nodiscard]] std::string fileNameOf(const CaseResult& result);

@@ -4,6 +4,7 @@
 
 #include "core/base/Contracts.h"
 #include "core/simulation/CarryOver.h"
+#include "core/study/Calibration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,22 +35,25 @@ double leastSpacing(const Pattern& pattern) {
 struct Drape {
     simulation::Simulation simulation;
     LayoutResult result;
+    double seconds = 0; ///< CPU time of sewing
 };
 
 Result<Drape> draped(const Layout& layout, const simulation::SewSettings& settings, std::stop_token stop) {
     auto simulation = simulation::Simulation::create(layout.scene);
     if (!simulation) return tl::unexpected(simulation.error());
+    const double start = threadSeconds();
     const auto report = simulation::sew(*simulation, settings, stop);
     if (!report) return tl::unexpected(report.error());
+    const double seconds = threadSeconds() - start;
     LayoutResult result{.name = layout.name, .spacing = layout.spacing};
     result.particles = report->particles;
     result.springs = report->springsStructural + report->springsShear + report->bending + report->twist;
     for (const auto& stage : report->stages) result.bytes += stage.bytes;
-    result.cpuSeconds = report->cpuSeconds;
+    result.time = runTimeOf({seconds});
     result.atRest = report->atRest;
     result.energy = report->gravityEnergy + report->elasticEnergy;
     result.strain = report->strain;
-    return Drape{std::move(*simulation), std::move(result)};
+    return Drape{std::move(*simulation), std::move(result), seconds};
 }
 
 /// Of the corners of a piece: the same in all layouts.
@@ -60,12 +64,14 @@ geometry::Box2 extentOf(const Pattern& pattern, std::size_t piece) {
     return geometry::boundsOf(corners);
 }
 
-/// Where the points of a lattice over every piece lie in a drape; nothing where the mesh does not hold the point.
-std::vector<std::optional<Vec3>> latticeOf(const simulation::Simulation& simulation) {
+/// Where points of every piece lie in a drape; nothing where the mesh does not hold the point.
+using Lattice = std::vector<std::optional<Vec3>>;
+
+Lattice latticeOf(const simulation::Simulation& simulation) {
     constexpr int across = 33;
     const std::vector<Vec3> nodes = simulation.nodePositions();
     const auto& garment = simulation.garment();
-    std::vector<std::optional<Vec3>> lattice;
+    Lattice lattice;
     for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece) {
         const meshing::PieceMesh& mesh = garment.mesh->pieces[piece];
         const simulation::DrapedPiece drape(
@@ -84,7 +90,7 @@ struct Difference {
     int points = 0;
 };
 
-Difference differenceOf(const std::vector<std::optional<Vec3>>& a, const std::vector<std::optional<Vec3>>& b) {
+Difference differenceOf(const Lattice& a, const Lattice& b) {
     expects(a.size() == b.size(), "the same lattice");
     Difference difference;
     double sum = 0;
@@ -99,6 +105,28 @@ Difference differenceOf(const std::vector<std::optional<Vec3>>& a, const std::ve
     return difference;
 }
 
+std::size_t noisyOf(const RegionsStudy& study) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(study.layouts, [](const LayoutResult& layout) { return layout.time.noisy; }));
+}
+
+/// "and 0.21 times the CPU time "; nothing where a time is noisy.
+std::string timesOf(const RegionsStudy& study) {
+    if (noisyOf(study) > 0) return "";
+    return fmt::format("and {:.2f} times the CPU time ", study.layouts[1].time.least / study.layouts[3].time.least);
+}
+
+Json recordOf(const LayoutResult& layout) {
+    Json method, result, cost, record;
+    method.set("layout", layout.name).set("spacing", layout.spacing);
+    result.set("rmsError", layout.rms).set("maximumError", layout.maximum).set("strainRms", layout.strain.rms);
+    result.set("energy", layout.energy);
+    cost.set("particles", layout.particles).set("springs", layout.springs).set("bytes", layout.bytes);
+    cost.set("cpuSecondsMinimum", layout.time.least).set("cpuSecondsMedian", layout.time.median);
+    record.set("method", method).set("result", result).set("cost", cost);
+    return record.set("status", layout.atRest ? "done" : "not at rest");
+}
+
 } // namespace
 
 std::optional<double> finestSpacing(const Pattern& pattern) {
@@ -111,8 +139,7 @@ std::optional<double> finestSpacing(const Pattern& pattern) {
     return finest;
 }
 
-Result<RegionsStudy> studyRegions(const simulation::Scene& scene, double referenceSpacing,
-                                  const simulation::SewSettings& settings, std::stop_token stop,
+Result<RegionsStudy> studyRegions(const simulation::Scene& scene, const RegionsSettings& settings, std::stop_token stop,
                                   const Progress& progress) {
     const auto finest = finestSpacing(scene.pattern);
     if (!finest)
@@ -124,43 +151,54 @@ Result<RegionsStudy> studyRegions(const simulation::Scene& scene, double referen
         changed.pattern = uniform(scene.pattern, spacing / main);
         return Layout{name, std::move(changed), spacing};
     };
-    constexpr double closerLines = 0.96;
     std::vector<Layout> layouts{uniformAt("uniform coarse", main),
                                 {"regions", scene, *finest},
-                                uniformAt("uniform fine", *finest),
-                                uniformAt("reference", referenceSpacing),
-                                uniformAt("reference again", closerLines * referenceSpacing)};
-    std::vector<LayoutResult> results;
-    std::vector<std::vector<std::optional<Vec3>>> lattices;
-    for (std::size_t i = 0; i < layouts.size(); ++i) {
-        report(progress, static_cast<double>(i) / static_cast<double>(layouts.size() + 1), layouts[i].name);
-        if (i == 4 && layouts[4].spacing == layouts[3].spacing) { // the reference is the uniform fine mesh
-            results.push_back(results[3]);
-            results.back().name = layouts[4].name;
-            lattices.push_back(lattices[3]);
-            continue;
-        }
-        const auto drape = draped(layouts[i], settings, stop);
+                                uniformAt("uniform, as many particles", main), // its spacing is known after the regions
+                                uniformAt("uniform fine", *finest)};
+    RegionsStudy study{.layouts = std::vector<LayoutResult>(layouts.size()), .repetitions = settings.repetitions};
+    std::vector<Lattice> lattices(layouts.size());
+    std::vector<std::vector<double>> seconds(layouts.size());
+    const double runs = static_cast<double>(layouts.size()) * settings.repetitions + 2;
+    double run = 0;
+    const auto runOne = [&](std::size_t i, int repetition) -> Result<void> {
+        if (i == 2 && repetition == 0)
+            layouts[i] = uniformAt(layouts[i].name, main * std::sqrt(static_cast<double>(study.layouts[0].particles) /
+                                                                     study.layouts[1].particles));
+        report(progress, run++ / runs, layouts[i].name);
+        const auto drape = draped(layouts[i], settings.sewing, stop);
         if (!drape) return tl::unexpected(drape.error());
-        results.push_back(drape->result);
-        lattices.push_back(latticeOf(drape->simulation));
-        if (i == 1) { // known now: how many particles the regions have
-            const double ratio = static_cast<double>(results[0].particles) / results[1].particles;
-            layouts.insert(layouts.begin() + 2, uniformAt("uniform, as many particles", main * std::sqrt(ratio)));
-        }
+        seconds[i].push_back(drape->seconds);
+        if (repetition > 0) return {}; // the same bits again
+        study.layouts[i] = drape->result;
+        lattices[i] = latticeOf(drape->simulation);
+        return {};
+    };
+    if (auto done = inTurns(layouts.size(), settings.repetitions, runOne); !done) return tl::unexpected(done.error());
+
+    constexpr double closerLines = 0.96;
+    Lattice reference = lattices.back();
+    study.reference = study.layouts.back();
+    if (settings.referenceSpacing != *finest) { // else the reference is the uniform fine mesh
+        report(progress, run / runs, "reference");
+        const auto drape = draped(uniformAt("reference", settings.referenceSpacing), settings.sewing, stop);
+        if (!drape) return tl::unexpected(drape.error());
+        study.reference = drape->result;
+        reference = latticeOf(drape->simulation);
     }
-    RegionsStudy study;
-    const auto& reference = lattices[4];
-    const Difference again = differenceOf(lattices[5], reference);
-    study.floor = again.rms;
-    study.points = again.points;
-    for (std::size_t i = 0; i < 4; ++i) {
+    study.reference.name = "reference";
+    report(progress, (run + 1) / runs, "reference again");
+    const auto again =
+        draped(uniformAt("reference again", closerLines * settings.referenceSpacing), settings.sewing, stop);
+    if (!again) return tl::unexpected(again.error());
+    const Difference floor = differenceOf(latticeOf(again->simulation), reference);
+    study.floor = floor.rms;
+    study.points = floor.points;
+    for (std::size_t i = 0; i < layouts.size(); ++i) {
         const Difference difference = differenceOf(lattices[i], reference);
-        results[i].rms = difference.rms;
-        results[i].maximum = difference.maximum;
-        study.layouts.push_back(results[i]);
+        study.layouts[i].rms = difference.rms;
+        study.layouts[i].maximum = difference.maximum;
+        study.layouts[i].time = runTimeOf(seconds[i]);
     }
-    study.reference = results[4];
     return study;
 }
 
@@ -176,33 +214,33 @@ std::string verdictOn(const RegionsStudy& study) {
                            gain > 0 ? "nearer to the reference" : "farther off", than);
     };
     text = fmt::format(
-        "The regions bring {}, and {}. They take {:.2f} times the particles and {:.2f} times the CPU time of "
-        "the uniform fine mesh, and are {}. ",
+        "The regions bring {}, and {}. They take {:.2f} times the particles {}of the uniform fine mesh, and "
+        "are {}. ",
         compared(coarse, "the uniform coarse mesh"), compared(equal, "a uniform mesh of as many particles"),
-        static_cast<double>(regions.particles) / fine.particles, regions.cpuSeconds / fine.cpuSeconds,
-        compared(fine, "it"));
+        static_cast<double>(regions.particles) / fine.particles, timesOf(study), compared(fine, "it"));
     const bool better = regions.rms + study.floor < equal.rms, worse = equal.rms + study.floor < regions.rms;
     text += better  ? "**Here the regions pay.**"
             : worse ? "**Here the regions do not pay: the same particles spread evenly do better.**"
                     : "**Here it makes no difference where the particles are.**";
+    if (const std::size_t noisy = noisyOf(study)) text += ' ' + tooNoisy(noisy, study.layouts.size());
     return text;
 }
 
-std::string regionsText(const RegionsStudy& study, const std::string& document, const std::string& command) {
-    std::string text = fmt::format("# Regions: {}\n\n`{}`. Distance to a uniform mesh of {:.3g} mm ({} particles, "
-                                   "{:.3g} CPU s) at {} common material "
-                                   "points; with its lines 4 % closer that mesh differs from itself by {:.3g} mm "
-                                   "(rms): the floor. Times are of one "
-                                   "run.\n\n| layout | least spacing mm | particles | springs | KiB | CPU s | rms mm | "
-                                   "largest mm | rms strain % | "
-                                   "energy J | at rest |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
-                                   document, command, 1e3 * study.reference.spacing, study.reference.particles,
-                                   study.reference.cpuSeconds, study.points, 1e3 * study.floor);
+std::string regionsText(const RegionsStudy& study, const std::string& document, const Circumstances& circumstances) {
+    std::string text = fmt::format(
+        "# Regions: {}\n\n`{}`, {}, {}. Distance to a uniform mesh of {:.3g} mm ({} particles) at {} common material "
+        "points; with its lines 4 % closer that mesh differs from itself by {:.3g} mm (rms): the floor. CPU times are "
+        "the least and the median of {} runs that take turns; of the reference, of one.\n\n| layout | least spacing mm "
+        "| "
+        "particles | springs | KiB | CPU s | median | rms mm | largest mm | rms strain % | energy J | at rest |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+        document, circumstances.command, circumstances.program, circumstances.processor, 1e3 * study.reference.spacing,
+        study.reference.particles, study.points, 1e3 * study.floor, study.repetitions);
     const auto row = [&](const LayoutResult& layout, const std::string& rms, const std::string& largest) {
-        text +=
-            fmt::format("| {} | {:.3g} | {} | {} | {} | {:.3g} | {} | {} | {:.3g} | {:.5g} | {} |\n", layout.name,
-                        1e3 * layout.spacing, layout.particles, layout.springs, layout.bytes / 1024, layout.cpuSeconds,
-                        rms, largest, 100 * layout.strain.rms, layout.energy, layout.atRest ? "yes" : "no");
+        text += fmt::format("| {} | {:.3g} | {} | {} | {} | {:.3g} | {:.3g} | {} | {} | {:.3g} | {:.5g} | {} |\n",
+                            layout.name, 1e3 * layout.spacing, layout.particles, layout.springs, layout.bytes / 1024,
+                            layout.time.least, layout.time.median, rms, largest, 100 * layout.strain.rms, layout.energy,
+                            layout.atRest ? "yes" : "no");
     };
     for (const LayoutResult& layout : study.layouts)
         row(layout, fmt::format("{:.3g}", 1e3 * layout.rms), fmt::format("{:.3g}", 1e3 * layout.maximum));
@@ -210,18 +248,19 @@ std::string regionsText(const RegionsStudy& study, const std::string& document, 
     return text + '\n' + verdictOn(study) + '\n';
 }
 
-Json toJson(const RegionsStudy& study) {
-    const auto one = [](const LayoutResult& layout) {
-        Json json;
-        json.set("name", layout.name).set("spacing", layout.spacing).set("particles", layout.particles);
-        json.set("springs", layout.springs).set("bytes", layout.bytes).set("cpuSeconds", layout.cpuSeconds);
-        json.set("rmsError", layout.rms).set("maximumError", layout.maximum).set("strainRms", layout.strain.rms);
-        return json.set("energy", layout.energy).set("atRest", layout.atRest);
-    };
-    Json json, layouts{Json::Array{}};
-    for (const LayoutResult& layout : study.layouts) layouts.push(one(layout));
-    json.set("layouts", layouts).set("reference", one(study.reference)).set("floor", study.floor);
-    return json.set("points", study.points).set("verdict", verdictOn(study));
+std::vector<Json> recordsOf(const RegionsStudy& study, const std::string& document,
+                            const Circumstances& circumstances) {
+    Json scene, reference;
+    scene.set("name", document);
+    reference.set("spacing", study.reference.spacing).set("selfError", study.floor).set("points", study.points);
+    std::vector<Json> records;
+    for (const LayoutResult& layout : study.layouts) records.push_back(recordOf(layout));
+    records.push_back(recordOf(study.reference));
+    for (Json& record : records) {
+        record.set("scene", scene).set("reference", reference);
+        note(record, "toile-regions-1", circumstances);
+    }
+    return records;
 }
 
 } // namespace toile::study

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Json.h"
 #include "core/base/Progress.h"
 #include "core/simulation/Sew.h"
+#include "core/study/Circumstances.h"
+#include "core/study/Repetitions.h"
 
 #include <string>
 #include <vector>
@@ -23,7 +26,7 @@ struct LayoutResult {
     double spacing = 0; ///< the least of it [m]
     int particles = 0, springs = 0;
     std::size_t bytes = 0; ///< of cloth and stages
-    double cpuSeconds = 0;
+    RunTime time;          ///< of sewing and draping
     bool atRest = false;
     double energy = 0;                ///< elastic and of gravity [J]
     double rms = 0, maximum = 0;      ///< distance to the reference at common material points [m]
@@ -32,30 +35,38 @@ struct LayoutResult {
 
 struct RegionsStudy {
     std::vector<LayoutResult> layouts; ///< the reference is not among them
-    LayoutResult reference;
+    LayoutResult reference;            ///< run once
+    int repetitions = 1;               ///< of the layouts, in turns
     double floor =
         0; ///< rms distance of the reference to itself with lines 4 % closer: nothing below it is told apart [m]
     int points = 0; ///< material points at which drapes are compared
 };
 
+struct RegionsSettings {
+    double referenceSpacing = 0; ///< of the uniform mesh that all are compared with [m]
+    int repetitions = 1;         ///< of every layout, in turns
+    simulation::SewSettings sewing;
+};
+
 /// Whether finer meshes only in regions pay: the garment as it is drawn against uniform meshes at its main spacing, at
-/// its finest, and at the spacing that gives as many particles as the regions do. The reference is uniform at
-/// `referenceSpacing` [m].
+/// its finest, and at the spacing that gives as many particles as the regions do.
 /// Errors: a pattern without regions, what meshing and sewing refuse, cancelled.
-[[nodiscard]] Result<RegionsStudy> studyRegions(const simulation::Scene& scene, double referenceSpacing,
-                                                const simulation::SewSettings& settings, std::stop_token stop = {},
-                                                const Progress& progress = {});
+[[nodiscard]] Result<RegionsStudy> studyRegions(const simulation::Scene& scene, const RegionsSettings& settings,
+                                                std::stop_token stop = {}, const Progress& progress = {});
 
 /// The finest spacing that the regions of a pattern ask for [m]; nothing where no region is finer than its piece.
 [[nodiscard]] std::optional<double> finestSpacing(const pattern::Pattern& pattern);
 
-/// Whether the regions paid, in plain words. Differences below the floor are called none.
+/// Whether the regions paid, in plain words. Differences below the floor are called none, and noisy times are not
+/// compared.
 [[nodiscard]] std::string verdictOn(const RegionsStudy& study);
 
 /// The table and the verdict, in Markdown.
 [[nodiscard]] std::string regionsText(const RegionsStudy& study, const std::string& document,
-                                      const std::string& command);
+                                      const Circumstances& circumstances);
 
-[[nodiscard]] Json toJson(const RegionsStudy& study);
+/// One record a layout, the reference last.
+[[nodiscard]] std::vector<Json> recordsOf(const RegionsStudy& study, const std::string& document,
+                                          const Circumstances& circumstances);
 
 } // namespace toile::study

@@ -172,12 +172,12 @@ double idealShare(const StorageStudy& study) {
     return study.fineShare + (1 - study.fineShare) * ratio(study.coarse.nodes, study.fine.nodes);
 }
 
-std::string storageText(const StorageStudy& study, const std::string& document, const std::string& command) {
+std::string storageText(const StorageStudy& study, const std::string& document, const Circumstances& circumstances) {
     std::string text = fmt::format("# Storage: {}\n\n`{}`. Cloth before its seams are merged; bytes are what arrays "
                                    "hold.\n\n| layout | spacing mm | nodes | of them slaves | cells | springs | "
                                    "bending | membranes | mesh KiB | cloth KiB | B a cell |\n"
                                    "|---|---|---|---|---|---|---|---|---|---|---|\n",
-                                   document, command);
+                                   document, circumstances.command);
     for (const StorageLayout* layout : {&study.coarse, &study.regions, &study.fine}) text += rowOf(*layout);
     const StorageLayout &regions = study.regions, &fine = study.fine;
     return text + fmt::format("\n{:.0f} % of the area is finer. The regions take {:.2f} times the nodes of the uniform "
@@ -190,17 +190,22 @@ std::string storageText(const StorageStudy& study, const std::string& document, 
                               ratio(bytesOf(regions), bytesOf(fine)), idealShare(study));
 }
 
-Json toJson(const StorageStudy& study) {
-    const auto one = [](const StorageLayout& layout) {
-        Json json;
-        json.set("name", layout.name).set("spacing", layout.spacing).set("nodes", layout.nodes);
-        json.set("slaves", layout.slaves).set("cells", layout.cells).set("springs", layout.springs);
-        json.set("bending", layout.bending).set("membranes", layout.membranes);
-        return json.set("meshBytes", layout.meshBytes).set("clothBytes", layout.clothBytes);
-    };
-    Json json, layouts{Json::Array{}};
-    for (const StorageLayout* layout : {&study.coarse, &study.regions, &study.fine}) layouts.push(one(*layout));
-    return json.set("layouts", layouts).set("fineShare", study.fineShare).set("idealShare", idealShare(study));
+std::vector<Json> recordsOf(const StorageStudy& study, const std::string& document,
+                            const Circumstances& circumstances) {
+    Json scene;
+    scene.set("name", document).set("fineShare", study.fineShare).set("idealShare", idealShare(study));
+    std::vector<Json> records;
+    for (const StorageLayout* layout : {&study.coarse, &study.regions, &study.fine}) {
+        Json method, cost, record;
+        method.set("layout", layout->name).set("spacing", layout->spacing);
+        cost.set("nodes", layout->nodes).set("slaves", layout->slaves).set("cells", layout->cells);
+        cost.set("springs", layout->springs).set("bending", layout->bending).set("membranes", layout->membranes);
+        cost.set("meshBytes", layout->meshBytes).set("clothBytes", layout->clothBytes);
+        record.set("scene", scene).set("method", method).set("cost", cost);
+        note(record, "toile-storage-1", circumstances);
+        records.push_back(std::move(record));
+    }
+    return records;
 }
 
 } // namespace toile::study

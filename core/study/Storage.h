@@ -3,6 +3,7 @@
 
 #include "core/base/Json.h"
 #include "core/pattern/Pattern.h"
+#include "core/study/Circumstances.h"
 
 #include <array>
 #include <string>
@@ -48,8 +49,10 @@ struct StorageStudy {
 
 /// The table and what it shows, in Markdown.
 [[nodiscard]] std::string storageText(const StorageStudy& study, const std::string& document,
-                                      const std::string& command);
+                                      const Circumstances& circumstances);
 
-[[nodiscard]] Json toJson(const StorageStudy& study);
+/// One record a layout.
+[[nodiscard]] std::vector<Json> recordsOf(const StorageStudy& study, const std::string& document,
+                                          const Circumstances& circumstances);
 
 } // namespace toile::study

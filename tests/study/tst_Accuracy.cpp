@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/AccuracyRecords.h"
 #include "core/study/AccuracyReport.h"
 
 #include <QtTest>
@@ -42,6 +43,7 @@ private slots:
     void itCanBeStopped();
     void everyPlannedSceneIsBuilt();
     void recordsHoldNumbersOrReasons();
+    void aResultIsReadFromItsRecords();
 };
 
 void tst_Accuracy::samplesLieAtEvenTimes() {
@@ -146,6 +148,29 @@ void tst_Accuracy::recordsHoldNumbersOrReasons() {
         QVERIFY(*record.find("result")->find("maximumError")->asNumber() > 0);
     }
     QVERIFY(study::gnuplotScript(result, here.calibration).find("set output 'flap-1.svg'") != std::string::npos);
+}
+
+void tst_Accuracy::aResultIsReadFromItsRecords() {
+    const study::AccuracyCase which{
+        "oscillator", {}, {{Method::xpbd, 20, 4}, {Method::trBdf2, 20}, {Method::rk4, 400}, {Method::bdf2, 20}}};
+    auto result = study::studied(which, 2);
+    QVERIFY(result);
+    result->runs[1].failure = "it was told to fail";
+    result->runs[1].solved = result->runs[1].inBand = false;
+    result->runs[1].error = {};
+    result->runs[3].solved = false;
+    const auto written = study::recordsOf(*result, here);
+    std::vector<Json> read;
+    for (const Json& record : written) read.push_back(*parseJson(toLine(record)));
+    const auto again = study::resultFrom(which, read);
+    QVERIFY(study::recordsOf(again, here) == written);
+    QCOMPARE(study::accuracyText({again}, here), study::accuracyText({*result}, here));
+    const auto keys = study::keysOf(which);
+    QCOMPARE(keys.size(), written.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        QVERIFY(*keys[i].find("scene") == *read[i].find("scene"));
+        QVERIFY(*keys[i].find("method") == *read[i].find("method"));
+    }
 }
 
 QTEST_APPLESS_MAIN(tst_Accuracy)

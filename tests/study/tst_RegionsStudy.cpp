@@ -31,7 +31,7 @@ simulation::Scene hangingSheet(bool withRegion) {
 RegionsStudy madeUp(double coarse, double regions, double equal, double fine, double floor) {
     RegionsStudy study{.floor = floor};
     for (const double rms : {coarse, regions, equal, fine}) {
-        study.layouts.push_back({.particles = 100, .cpuSeconds = 1});
+        study.layouts.push_back({.particles = 100, .time = {1, 1}});
         study.layouts.back().rms = rms;
     }
     return study;
@@ -50,6 +50,7 @@ private slots:
     void aPatternWithoutRegionsHasNothingToCompare();
     void layoutsAreComparedAtTheSamePoints();
     void theVerdictFollowsTheNumbers();
+    void noisyTimesAreNotCompared();
 };
 
 void tst_RegionsStudy::theFinestSpacingIsThatOfARegion() {
@@ -58,13 +59,13 @@ void tst_RegionsStudy::theFinestSpacingIsThatOfARegion() {
 }
 
 void tst_RegionsStudy::aPatternWithoutRegionsHasNothingToCompare() {
-    const auto study = study::studyRegions(hangingSheet(false), 0.01, {});
+    const auto study = study::studyRegions(hangingSheet(false), {.referenceSpacing = 0.01});
     QVERIFY(!study);
     QVERIFY(says(study.error().text, "no region that is finer"));
 }
 
 void tst_RegionsStudy::layoutsAreComparedAtTheSamePoints() {
-    const auto study = study::studyRegions(hangingSheet(true), 0.01, {});
+    const auto study = study::studyRegions(hangingSheet(true), {.referenceSpacing = 0.01, .repetitions = 2});
     QVERIFY2(study, study ? "" : study.error().text.c_str());
     QCOMPARE(static_cast<int>(study->layouts.size()), 4);
     const auto &coarse = study->layouts[0], &regions = study->layouts[1], &equal = study->layouts[2],
@@ -79,14 +80,29 @@ void tst_RegionsStudy::layoutsAreComparedAtTheSamePoints() {
     QVERIFY(fine.rms < coarse.rms);
     QVERIFY(study->floor < fine.rms);
     QVERIFY(fine.maximum >= fine.rms);
-    QVERIFY(says(study::regionsText(*study, "sheet", "a test"), "| uniform, as many particles |"));
-    QCOMPARE(toLine(study::toJson(*study)).find("null"), std::string::npos);
+    QVERIFY(says(study::regionsText(*study, "sheet", {}), "| uniform, as many particles |"));
+    const auto records = study::recordsOf(*study, "sheet", {});
+    QCOMPARE(records.size(), std::size_t(5));
+    for (const Json& record : records) {
+        QCOMPARE(toLine(record).find("null"), std::string::npos);
+        const Json* cost = record.find("cost");
+        QVERIFY(*cost->find("cpuSecondsMinimum")->asNumber() <= *cost->find("cpuSecondsMedian")->asNumber());
+    }
 }
 
 void tst_RegionsStudy::theVerdictFollowsTheNumbers() {
     QVERIFY(says(study::verdictOn(madeUp(5e-3, 1e-3, 4e-3, 5e-4, 1e-4)), "Here the regions pay."));
     QVERIFY(says(study::verdictOn(madeUp(5e-3, 4e-3, 1e-3, 5e-4, 1e-4)), "do not pay"));
     QVERIFY(says(study::verdictOn(madeUp(5e-3, 4e-3, 3e-3, 5e-4, 2e-3)), "makes no difference"));
+}
+
+void tst_RegionsStudy::noisyTimesAreNotCompared() {
+    RegionsStudy study = madeUp(5e-3, 1e-3, 4e-3, 5e-4, 1e-4);
+    QVERIFY(says(study::verdictOn(study), "1.00 times the CPU time"));
+    study.layouts[2].time = study::runTimeOf({1, 1.4, 1.5});
+    QVERIFY(says(study::verdictOn(study), "No conclusion about cost"));
+    QVERIFY(!says(study::verdictOn(study), "times the CPU time"));
+    QVERIFY(says(study::verdictOn(study), "Here the regions pay."));
 }
 
 QTEST_APPLESS_MAIN(tst_RegionsStudy)

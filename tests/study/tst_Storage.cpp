@@ -80,7 +80,8 @@ void tst_Storage::boxesAreRefusedByName() {
 void tst_Storage::theTextSaysWhatWasMeasured() {
     const auto study = study::studyStorage(*study::withFineBoxes(sheet(), {middle}));
     QVERIFY(study);
-    const std::string text = study::storageText(*study, "sheet.toile", "toile-cli study storage sheet.toile");
+    const std::string text =
+        study::storageText(*study, "sheet.toile", {.command = "toile-cli study storage sheet.toile"});
     for (const char* words : {"# Storage: sheet.toile", "`toile-cli study storage sheet.toile`",
                               "| regions | 20 | 241 | 24 | 208 |", "36 % of the area is finer", "0.55 times the nodes"})
         QVERIFY2(text.find(words) != std::string::npos, (std::string(words) + " is not in\n" + text).c_str());

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/Json.h"
+#include "core/base/Result.h"
+#include "core/study/Circumstances.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace toile::batch {
+
+/// The records of a study, kept in its folder as they come: results.jsonl grows with every part of the study that is
+/// done, and a study that was stopped goes on where it was.
+class RecordBook {
+public:
+    /// Takes up the records in the folder that this program wrote on this processor; fresh: none. Lines that are no
+    /// records, as the last of a program that was killed, are dropped.
+    [[nodiscard]] static Result<RecordBook> opened(const std::filesystem::path& folder,
+                                                   const study::Circumstances& circumstances, bool fresh);
+
+    /// A part of the study: read from its records where they stand, else run now and its records written. keys: what
+    /// they are known by, "scene" and "method" of each. from(records) and run() give the part, of(part) its records.
+    template <class From, class Run, class Of>
+    [[nodiscard]] auto part(const std::vector<Json>& keys, const From& from, const Run& run, const Of& of)
+        -> decltype(run()) {
+        if (const std::vector<Json> known = standing(keys); !known.empty()) return from(take(known));
+        auto result = run();
+        if (result)
+            if (auto written = append(of(*result)); !written) return tl::unexpected(written.error());
+        return result;
+    }
+
+    /// Of all parts so far, in their order.
+    [[nodiscard]] const std::vector<Json>& records() const { return records_; }
+    /// "40 of 120 records stood in DIR already; …": empty where none did.
+    [[nodiscard]] std::string standingText() const;
+
+private:
+    [[nodiscard]] std::vector<Json> standing(const std::vector<Json>& keys) const; ///< empty unless all stand
+    const std::vector<Json>& take(const std::vector<Json>& known);
+    [[nodiscard]] Result<void> append(const std::vector<Json>& records);
+
+    std::filesystem::path file_;
+    std::vector<Json> before_, records_;
+    std::size_t taken_ = 0; ///< of those before
+};
+
+} // namespace toile::batch
