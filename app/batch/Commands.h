@@ -61,7 +61,7 @@ struct AvatarOptions {
 [[nodiscard]] int avatar(const AvatarOptions& options);
 
 struct StudyOptions {
-    std::vector<std::string> cases; ///< scenes by name, empty = all; or one document
+    std::vector<std::string> cases; ///< scenes or features by name, empty = all; or documents
     bool full = false;              ///< finer and longer
     bool fresh = false;             ///< measures again what stands in the folder already
     std::string out;                ///< folder of the report
@@ -71,6 +71,14 @@ struct StudyOptions {
 [[nodiscard]] int studyAccuracy(const StudyOptions& options, std::stop_token stop);
 /// A document's regions against uniform meshes.
 [[nodiscard]] int studyRegions(const StudyOptions& options, std::stop_token stop);
+
+/// What parts of a step cost, and that they cost nothing where a scene does not need them. Cases are features by name,
+/// or documents.
+[[nodiscard]] int studyLean(const StudyOptions& options, std::stop_token stop);
+
+/// What differs between two reports of one study: folders, or their results.jsonl. goalMissed where something got
+/// worse.
+[[nodiscard]] int studyCompare(const std::string& before, const std::string& after);
 
 struct StorageOptions {
     std::string file;

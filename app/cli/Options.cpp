@@ -238,6 +238,26 @@ void declareStability(CLI::App& study, std::stop_token stop, std::function<int()
         [options, stop, &chosen] { chosen = [options, stop] { return batch::studyStability(*options, stop); }; });
 }
 
+void declareLean(CLI::App& study, std::stop_token stop, std::function<int()>& chosen) {
+    auto* lean = study.add_subcommand("lean", "what parts of a step cost, and that they cost nothing where not needed");
+    auto options = std::make_shared<StudyOptions>();
+    lean->add_option("CASE", options->cases, "features, as self-contact, and documents; all features if none is named");
+    lean->add_flag("--full,!--quick", options->full, "meshes of 10 mm; else of 20 mm");
+    lean->add_option("--out", options->out, "folder of report.md and results.jsonl")->required();
+    addFresh(*lean, options->fresh);
+    lean->add_flag("--quiet", options->quiet, "no progress");
+    lean->callback([options, stop, &chosen] { chosen = [options, stop] { return batch::studyLean(*options, stop); }; });
+}
+
+void declareCompare(CLI::App& study, std::function<int()>& chosen) {
+    auto* compare = study.add_subcommand("compare", "what got better or worse between two reports of one study");
+    auto reports = std::make_shared<std::pair<std::string, std::string>>();
+    compare->add_option("OLD", reports->first, "folder of a report, or its results.jsonl")->required();
+    compare->add_option("NEW", reports->second)->required();
+    compare->callback(
+        [reports, &chosen] { chosen = [reports] { return batch::studyCompare(reports->first, reports->second); }; });
+}
+
 void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
     auto* study = app.add_subcommand("study", "measure how wrong results are, and what they cost");
     study->require_subcommand(1);
@@ -262,6 +282,8 @@ void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& cho
     declareStorage(*study, chosen);
     declareValidation(*study, stop, chosen);
     declareStability(*study, stop, chosen);
+    declareLean(*study, stop, chosen);
+    declareCompare(*study, chosen);
 }
 
 } // namespace

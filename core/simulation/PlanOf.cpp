@@ -5,6 +5,8 @@
 #include "core/simulation/SeamMeeting.h"
 #include "core/simulation/SelfContactOf.h"
 
+#include <algorithm>
+
 namespace toile::simulation {
 namespace {
 
@@ -34,26 +36,31 @@ void leaveOutElements(StepPlan& plan, const Garment& garment) {
 
 StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
                 std::vector<SeamPair> pairs, std::shared_ptr<const std::vector<Grip>> grips,
-                std::span<const Vec3> positions) {
+                std::span<const Vec3> positions, std::span<const std::string> forced) {
+    const auto isForced = [&](std::string_view stage) { return std::ranges::find(forced, stage) != forced.end(); };
     StepPlan plan;
     leaveOutElements(plan, garment);
 
     const SeamClosingSettings closing =
         scene.paper ? paperSewing : SeamClosingSettings{.duration = scene.settings.seamTime};
-    if (!pairs.empty()) plan.add(std::make_unique<SeamClosing>(pairs, closing, garment.model.mass));
+    if (!pairs.empty() || isForced("seams"))
+        plan.add(std::make_unique<SeamClosing>(pairs, closing, garment.model.mass));
     else plan.leaveOut("seams", garment.mergedSeams.empty() ? "the pattern has no seam" : "all seams are merged");
 
-    if (!grips->empty()) plan.add(std::make_unique<Grips>(std::move(grips), scene.pattern, garment, positions));
+    if (!grips->empty() || isForced("hands"))
+        plan.add(std::make_unique<Grips>(std::move(grips), scene.pattern, garment, positions));
     else plan.leaveOut("hands", "nobody holds the cloth");
 
     if (body) plan.add(bodyContactOf(scene, garment, *body, positions));
     else plan.leaveOut("body contact", "no body");
 
     if (scene.paper) plan.leaveOut("seams that meet", "the paper sews by a force");
-    else if (body && !pairs.empty()) plan.add(std::make_unique<SeamMeeting>(std::move(pairs), closing));
+    else if ((body && !pairs.empty()) || isForced("seams that meet"))
+        plan.add(std::make_unique<SeamMeeting>(std::move(pairs), closing));
     else plan.leaveOut("seams that meet", body ? "all seams are merged" : "no body parts them");
 
     if (scene.paper) plan.leaveOut("self-contact", "the paper knows the body alone");
+    else if (isForced("self-contact")) plan.add(selfContactOf(scene, garment));
     else if (!scene.settings.selfContact) plan.leaveOut("self-contact", "the scene does not ask for it");
     else if (!canReachItself(garment)) plan.leaveOut("self-contact", "the cloth is too small to reach itself");
     else plan.add(selfContactOf(scene, garment)); // last: it goes back where anything has pushed layers through layers

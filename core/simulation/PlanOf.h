@@ -11,9 +11,10 @@
 namespace toile::simulation {
 
 /// What one step of this scene does: read from top to bottom. body may be null; pairs are those of seams being
-/// closed; grips what hands hold; positions those of the particles now [m].
+/// closed; grips what hands hold; positions those of the particles now [m]. Stages that are forced are built although
+/// the scene has no use for them: "seams", "hands", "seams that meet", "self-contact".
 [[nodiscard]] StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
                               std::vector<SeamPair> pairs, std::shared_ptr<const std::vector<Grip>> grips,
-                              std::span<const Vec3> positions);
+                              std::span<const Vec3> positions, std::span<const std::string> forced = {});
 
 } // namespace toile::simulation

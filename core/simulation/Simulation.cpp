@@ -180,7 +180,7 @@ void Simulation::rebuildPlan() {
     addCosts(formerCosts_, plan_.costs());
     Scene now = scene_;
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
-    plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), grips_, state_.positions);
+    plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), grips_, state_.positions, forced_);
     plannedDamping_ = damping();
     if (scene_.paper) {
         integrator_ = integratorOf(dynamics::Method::subcycledEuler);
@@ -247,6 +247,11 @@ double Simulation::damping() const {
 
 void Simulation::drapeWith(std::optional<dynamics::Method> method) {
     drapingMethod_ = method;
+    rebuildPlan();
+}
+
+void Simulation::force(std::vector<std::string> stages) {
+    forced_ = std::move(stages);
     rebuildPlan();
 }
 

@@ -85,6 +85,10 @@ public:
     /// What hands hold from now on, instead of what they held. Cheap while only targets move.
     void hold(std::vector<Grip> grips);
 
+    /// Builds stages from now on that the scene has no use for (planOf): by them tests and studies see that leaving
+    /// them out changes nothing but the time.
+    void force(std::vector<std::string> stages);
+
     /// One frame step of the scene. Error when a number is no longer finite: the state before is kept.
     [[nodiscard]] Result<void> advance(std::stop_token stop = {});
 
@@ -147,6 +151,7 @@ private:
     Shared<FrameTopology> topology_;
     dynamics::ParticleState state_;
     std::shared_ptr<std::vector<Grip>> grips_; ///< never null; the plan's stage reads it
+    std::vector<std::string> forced_;          ///< stages that are built without need
     StepPlan plan_;
     MeshOverrides overrides_;
     std::unique_ptr<dynamics::CoarseLevels> levels_; ///< of this garment; null until they are needed

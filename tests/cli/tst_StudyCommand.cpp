@@ -13,6 +13,9 @@ private slots:
     void aBoxThatIsNoneIsSaid();
     void casesAreRunByTheirNumbers();
     void extremesAreRunByTheirNumbers();
+    void partsOfAStepAreRunByTheirNames();
+    void aStudyThatWasStoppedGoesOn();
+    void reportsAreCompared();
 };
 
 void tst_StudyCommand::aStudyLeavesItsReport() {
@@ -103,6 +106,77 @@ void tst_StudyCommand::extremesAreRunByTheirNumbers() {
         QVERIFY(missingKeys(jsonOf(line), {"schema", "program", "machine", "case", "verdict"}).isEmpty());
     QVERIFY(contentOf(out + "/report.md").contains("Particle 1 has no mass."));
     QCOMPARE(run({"study", "stability", "--only", "S99"}).status, 1);
+}
+
+void tst_StudyCommand::partsOfAStepAreRunByTheirNames() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("lean");
+    const Finished finished = run({"study", "lean", "hands", sample("two-squares.toile"), "--quiet", "--out", out});
+    QCOMPARE(finished.err, QString());
+    QCOMPARE(finished.status, 0);
+    QVERIFY(finished.out.contains("7 of 7 rows pass."));
+    const auto lines = contentOf(out + "/results.jsonl").split('\n');
+    QCOMPARE(lines.size(), 7 + 1); // the last ends with a line end
+    for (const QByteArray& line : lines.first(7))
+        QVERIFY(missingKeys(jsonOf(line), {"schema", "program", "machine", "scene", "method", "cost", "verdict"})
+                    .isEmpty());
+    QVERIFY(contentOf(out + "/report.md").contains("| two-squares | in use | with self-contact |"));
+
+    const Finished none = run({"study", "lean", "gloves", "--out", out});
+    QCOMPARE(none.status, 1);
+    QVERIFY(none.err.contains("\"gloves\" is neither a document nor a feature; there are seams, hands,"));
+}
+
+void tst_StudyCommand::aStudyThatWasStoppedGoesOn() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("lean"), records = out + "/results.jsonl";
+    const auto lean = [&](const QStringList& more) {
+        const Finished finished = run(QStringList{"study", "lean"} + more + QStringList{"--quiet", "--out", out});
+        if (finished.status != 0) qWarning("%s", qPrintable(finished.err));
+        return finished.out;
+    };
+    QVERIFY(!lean({"hands"}).contains("already"));
+    const QByteArray first = contentOf(records);
+    QCOMPARE(first.count('\n'), 4);
+    QFile file(records);
+    QVERIFY(file.open(QIODevice::Append));
+    QVERIFY(file.write("{\"schema\":\"toile-lean-1\",\"pro") > 0); // as a kill leaves it
+    file.close();
+    QVERIFY(lean({"hands", "pins"}).contains("4 of 6 records stood in"));
+    QVERIFY(contentOf(records).startsWith(first)); // the same lines, not measured again
+    QCOMPARE(contentOf(records).count('\n'), 6);
+    QVERIFY(contentOf(out + "/report.md").contains("| hands | in use | one hand |"));
+    QVERIFY(!lean({"hands", "pins", "--fresh"}).contains("already"));
+    QVERIFY(!contentOf(records).startsWith(first));
+
+    const QString accuracy = folder.filePath("accuracy");
+    const QStringList command{"study", "accuracy", "oscillator", "--quiet", "--out", accuracy};
+    QCOMPARE(run(command).status, 0);
+    const QByteArray report = contentOf(accuracy + "/results.jsonl");
+    const Finished again = run(command);
+    QVERIFY(again.out.contains("40 of 40 records stood in"));
+    QCOMPARE(contentOf(accuracy + "/results.jsonl"), report);
+}
+
+void tst_StudyCommand::reportsAreCompared() {
+    const QTemporaryDir folder;
+    const auto written = [&](const QString& name, const QByteArray& verdict) {
+        QFile file(folder.filePath(name));
+        if (!file.open(QIODevice::WriteOnly)) qFatal("no file");
+        file.write("{\"schema\":\"toile-validation-1\",\"case\":\"V3\",\"what\":\"sag\",\"measured\":1,\"verdict\":\"" +
+                   verdict + "\"}\n");
+        return file.fileName();
+    };
+    const QString good = written("good.jsonl", "PASS"), bad = written("bad.jsonl", "FAIL");
+    const Finished same = run({"study", "compare", good, good}), worse = run({"study", "compare", good, bad}),
+                   better = run({"study", "compare", bad, good});
+    QCOMPARE(same.status, 0);
+    QCOMPARE(worse.status, 3);
+    QCOMPARE(worse.err, QString());
+    QVERIFY(worse.out.contains("worse  V3, sag: verdict PASS → FAIL"));
+    QCOMPARE(better.status, 0);
+    QCOMPARE(run({"study", "compare", good, folder.filePath("none")}).status, 1);
+    QCOMPARE(run({"study", "compare", good}).status, 2);
 }
 
 QTEST_APPLESS_MAIN(tst_StudyCommand)

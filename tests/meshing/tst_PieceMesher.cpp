@@ -2,38 +2,17 @@
 #include <QtTest>
 
 #ifndef Q_MOC_RUN // moc stumbles over the library's concepts
+#include "core/base/HeapCount.h"
 #include "core/meshing/GarmentMesher.h"
 #include "tests/meshing/MeshFixtures.h"
 #include "tests/meshing/PreparedPiece.h"
 
-#include <atomic>
-#include <cstdlib>
 #include <limits>
-#include <new>
 #include <random>
 #endif
 
 using namespace toile;
 using namespace toile::meshing;
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-} // namespace
-
-// Every allocation of this program is counted.
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 class tst_PieceMesher : public QObject {
     Q_OBJECT
@@ -121,12 +100,12 @@ void tst_PieceMesher::meshingAgainAllocatesNothing() {
     for (int time = 0; time < 2; ++time)
         QVERIFY(mesher.run(ready.input, ready.boundary, ready.border.nodes, ready.border.seeds, ready.lattice, mesh));
     const PieceMesh before = mesh;
-    const long first = allocations;
+    const HeapCount first = heapTaken();
     const auto done =
         mesher.run(ready.input, ready.boundary, ready.border.nodes, ready.border.seeds, ready.lattice, mesh);
-    const long taken = allocations - first;
+    const std::size_t taken = (heapTaken() - first).blocks;
     QVERIFY(done);
-    QCOMPARE(taken, 0L);
+    QCOMPARE(taken, std::size_t(0));
     QVERIFY(mesh == before);
 }
 
@@ -139,9 +118,9 @@ void tst_PieceMesher::moreNodesOfAGarmentTakeNoMoreAllocations() {
         long least = std::numeric_limits<long>::max(); // of several: which thread meshes which piece is chance
         for (int time = 0; time < 8; ++time) {
             mesher.forget();
-            const long first = allocations;
+            const HeapCount first = heapTaken();
             if (!mesher.mesh(input)) return -1L;
-            least = std::min(least, allocations - first);
+            least = std::min(least, static_cast<long>((heapTaken() - first).blocks));
         }
         return least;
     };

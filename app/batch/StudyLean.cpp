@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/Commands.h"
+#include "app/batch/Console.h"
+#include "app/batch/Opening.h"
+#include "app/batch/RecordBook.h"
+#include "app/batch/StudyFolder.h"
+#include "core/io/DocumentFile.h"
+#include "core/study/lean/Records.h"
+#include "core/study/lean/Report.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace toile::batch {
+namespace {
+
+using namespace study::lean;
+
+Result<Feature> garmentIn(const std::string& file) {
+    const auto document = io::readDocument(file);
+    if (!document) return tl::unexpected(document.error());
+    auto opened = openScene(document->document, file);
+    if (!opened) return tl::unexpected(opened.error());
+    return garmentFeature(std::filesystem::path(file).stem().string(), opened->scene);
+}
+
+/// Features by name and documents by file, in the order in which they were named; all features, where none is.
+Result<std::vector<Feature>> chosenFeatures(const StudyOptions& options) {
+    std::vector<Feature> all = allFeatures(!options.full);
+    if (options.cases.empty()) return all;
+    std::vector<Feature> chosen;
+    for (const std::string& name : options.cases) {
+        const auto found = std::ranges::find(all, name, &Feature::name);
+        if (found != all.end()) {
+            chosen.push_back(*found);
+        } else if (std::filesystem::exists(name)) {
+            auto garment = garmentIn(name);
+            if (!garment) return tl::unexpected(garment.error());
+            chosen.push_back(std::move(*garment));
+        } else {
+            std::vector<std::string> names;
+            for (const Feature& feature : all) names.push_back(feature.name);
+            return fail(ErrorCode::notFound, fmt::format("\"{}\" is neither a document nor a feature; there are {}.",
+                                                         name, fmt::join(names, ", ")));
+        }
+    }
+    return chosen;
+}
+
+std::string commandOf(const StudyOptions& options) {
+    std::string command = "toile-cli study lean";
+    for (const std::string& name : options.cases)
+        command += name.find(' ') == std::string::npos ? ' ' + name : " \"" + name + '"';
+    return fmt::format("{} --{} --out {}", command, options.full ? "full" : "quick", options.out);
+}
+
+Result<std::vector<FeatureResult>> run(const StudyOptions& options, std::stop_token stop) {
+    const auto features = chosenFeatures(options);
+    if (!features) return tl::unexpected(features.error());
+    if (auto made = madeFolder(options.out); !made) return tl::unexpected(made.error());
+    const study::Circumstances circumstances = circumstancesOf(commandOf(options));
+    auto book = RecordBook::opened(options.out, circumstances, options.fresh);
+    if (!book) return tl::unexpected(book.error());
+    ProgressBar bar(options.quiet);
+    const LeanSettings settings;
+    std::vector<FeatureResult> results;
+    for (const Feature& feature : *features) {
+        const auto whole = [&, shown = bar.progress()](double fraction, const std::string& what) {
+            report(shown, (static_cast<double>(results.size()) + fraction) / static_cast<double>(features->size()),
+                   what);
+        };
+        auto result = book->part(
+            keysOf(feature, settings), [&](const auto& known) { return resultFrom(feature, known); },
+            [&] { return studied(feature, settings, stop, whole); },
+            [&](const FeatureResult& run) { return recordsOf(run, circumstances); });
+        if (!result) return tl::unexpected(result.error());
+        results.push_back(std::move(*result));
+    }
+    fmt::print("{}", book->standingText());
+    if (auto written = writeReport(options.out, leanText(results, circumstances), book->records()); !written)
+        return tl::unexpected(written.error());
+    return results;
+}
+
+} // namespace
+
+int studyLean(const StudyOptions& options, std::stop_token stop) {
+    const auto results = run(options, stop);
+    if (!results) {
+        printError(results.error());
+        return inputWrong;
+    }
+    fmt::print("{}\n{}/report.md\n", summaryOf(*results), options.out);
+    return std::ranges::all_of(*results, passes) ? done : goalMissed;
+}
+
+} // namespace toile::batch

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/HeapCount.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<std::size_t> blocks{0}, bytes{0};
+
+} // namespace
+
+// This file is linked where heapTaken() is called, and with it these operators.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    blocks.fetch_add(1, std::memory_order_relaxed);
+    bytes.fetch_add(size, std::memory_order_relaxed);
+    return std::malloc(size > 0 ? size : 1);
+}
+void* operator new(std::size_t size) {
+    if (void* block = operator new(size, std::nothrow)) return block;
+    throw std::bad_alloc();
+}
+void operator delete(void* block) noexcept {
+    std::free(block);
+}
+void operator delete(void* block, std::size_t) noexcept {
+    std::free(block);
+}
+
+namespace toile {
+
+HeapCount heapTaken() {
+    return {blocks.load(std::memory_order_relaxed), bytes.load(std::memory_order_relaxed)};
+}
+
+} // namespace toile
