@@ -63,6 +63,8 @@ struct AvatarOptions {
 struct StudyOptions {
     std::vector<std::string> cases; ///< scenes or features by name, empty = all; or documents
     bool full = false;              ///< finer and longer
+    int repetitions = 0;            ///< of every run of lean; 0 = as many as the study takes
+    bool count = false;             ///< instructions of lean, by valgrind
     bool fresh = false;             ///< measures again what stands in the folder already
     std::string out;                ///< folder of the report
     bool quiet = false;

@@ -2,15 +2,12 @@
 #include "app/batch/StudyFolder.h"
 
 #include "app/batch/BuildFacts.h"
+#include "app/batch/OtherProgram.h"
 #include "core/base/AtomicFile.h"
 #include "core/study/Calibration.h"
 
 #include <fmt/format.h>
 #include <fstream>
-#include <spawn.h>
-#include <sys/wait.h>
-
-extern char** environ;
 
 namespace toile::batch {
 namespace {
@@ -62,16 +59,7 @@ Result<std::vector<Json>> recordsIn(const fs::path& report) {
 }
 
 bool drawn(const fs::path& script) {
-    std::string name = "gnuplot", file = script.filename().string();
-    char* arguments[]{name.data(), file.data(), nullptr};
-    posix_spawn_file_actions_t inFolder;
-    posix_spawn_file_actions_init(&inFolder);
-    posix_spawn_file_actions_addchdir_np(&inFolder, script.parent_path().c_str());
-    pid_t child = 0;
-    const bool started = posix_spawnp(&child, "gnuplot", &inFolder, nullptr, arguments, environ) == 0;
-    posix_spawn_file_actions_destroy(&inFolder);
-    int status = 0;
-    return started && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return ran({.command = {"gnuplot", script.filename().string()}, .folder = script.parent_path()});
 }
 
 } // namespace toile::batch

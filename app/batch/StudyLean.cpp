@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
+#include "app/batch/Instructions.h"
 #include "app/batch/Opening.h"
 #include "app/batch/RecordBook.h"
 #include "app/batch/StudyFolder.h"
@@ -53,7 +54,39 @@ std::string commandOf(const StudyOptions& options) {
     std::string command = "toile-cli study lean";
     for (const std::string& name : options.cases)
         command += name.find(' ') == std::string::npos ? ' ' + name : " \"" + name + '"';
+    if (options.repetitions > 0) command += fmt::format(" --repetitions {}", options.repetitions);
+    if (options.count) command += " --count";
     return fmt::format("{} --{} --out {}", command, options.full ? "full" : "quick", options.out);
+}
+
+/// Instructions of the frames of every variant, in order; none where they are not asked for.
+Result<std::vector<double>> instructionsOfAll(const StudyOptions& options, const std::vector<Feature>& features) {
+    if (!options.count) return {};
+    const std::string folder = options.out + "/counted";
+    if (auto made = madeFolder(folder); !made) return tl::unexpected(made.error());
+    std::vector<std::string> arguments{"study", "lean"};
+    arguments.insert(arguments.end(), options.cases.begin(), options.cases.end());
+    for (const char* word : {options.full ? "--full" : "--quick", "--repetitions", "1", "--fresh", "--quiet", "--out"})
+        arguments.emplace_back(word);
+    arguments.push_back(folder);
+    auto counts = instructionsOf(arguments, countedStepsName, folder);
+    std::filesystem::remove_all(folder);
+    std::size_t variants = 0;
+    for (const Feature& feature : features) variants += feature.variants.size();
+    if (counts && counts->size() != variants)
+        return fail(ErrorCode::unsupported,
+                    fmt::format("valgrind counted {} of {} runs: it did not find them by their name.", counts->size(),
+                                variants));
+    return counts;
+}
+
+/// Instructions of the next variants of `counts`, if there are any.
+Result<FeatureResult> withInstructions(Result<FeatureResult> result, std::span<const double> counts) {
+    for (std::size_t i = 0; result && i < counts.size(); ++i) {
+        Taken& taken = result->rows[i].taken;
+        taken.instructions = counts[i] / taken.frames;
+    }
+    return result;
 }
 
 Result<std::vector<FeatureResult>> run(const StudyOptions& options, std::stop_token stop) {
@@ -64,7 +97,11 @@ Result<std::vector<FeatureResult>> run(const StudyOptions& options, std::stop_to
     auto book = RecordBook::opened(options.out, circumstances, options.fresh);
     if (!book) return tl::unexpected(book.error());
     ProgressBar bar(options.quiet);
-    const LeanSettings settings;
+    const auto instructions = instructionsOfAll(options, *features);
+    if (!instructions) return tl::unexpected(instructions.error());
+    LeanSettings settings{.counted = options.count};
+    if (options.repetitions > 0) settings.repetitions = options.repetitions;
+    std::size_t variants = 0; // so far
     std::vector<FeatureResult> results;
     for (const Feature& feature : *features) {
         const auto whole = [&, shown = bar.progress()](double fraction, const std::string& what) {
@@ -73,9 +110,14 @@ Result<std::vector<FeatureResult>> run(const StudyOptions& options, std::stop_to
         };
         auto result = book->part(
             keysOf(feature, settings), [&](const auto& known) { return resultFrom(feature, known); },
-            [&] { return studied(feature, settings, stop, whole); },
+            [&] {
+                const auto counts = options.count ? std::span(*instructions).subspan(variants, feature.variants.size())
+                                                  : std::span<const double>();
+                return withInstructions(studied(feature, settings, stop, whole), counts);
+            },
             [&](const FeatureResult& run) { return recordsOf(run, circumstances); });
         if (!result) return tl::unexpected(result.error());
+        variants += feature.variants.size();
         results.push_back(std::move(*result));
     }
     fmt::print("{}", book->standingText());

@@ -244,6 +244,8 @@ void declareLean(CLI::App& study, std::stop_token stop, std::function<int()>& ch
     lean->add_option("CASE", options->cases, "features, as self-contact, and documents; all features if none is named");
     lean->add_flag("--full,!--quick", options->full, "meshes of 10 mm; else of 20 mm");
     lean->add_option("--out", options->out, "folder of report.md and results.jsonl")->required();
+    lean->add_option("--repetitions", options->repetitions, "of every run")->check(CLI::Range(1, 1000));
+    lean->add_flag("--count", options->count, "count instructions by valgrind, too; takes minutes");
     addFresh(*lean, options->fresh);
     lean->add_flag("--quiet", options->quiet, "no progress");
     lean->callback([options, stop, &chosen] { chosen = [options, stop] { return batch::studyLean(*options, stop); }; });

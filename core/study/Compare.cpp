@@ -21,10 +21,13 @@ constexpr std::array namePaths{"case",
                                "what",
                                "scene.name",
                                "scene.variant",
+                               "scene.layout",
+                               "scene.spacing",
                                "scene.stiffness",
                                "method.layout",
                                "method.role",
                                "method.integrator",
+                               "method.finished",
                                "method",
                                "stiffness",
                                "method.step",
@@ -32,14 +35,19 @@ constexpr std::array namePaths{"case",
                                "method.tolerance",
                                "step"};
 /// Nearer to 0 is better.
-constexpr std::array errorPaths{"result.rmsError",     "result.maximumError", "result.hausdorffError",
-                                "result.difference",   "result.seamGap",      "result.penetration",
-                                "result.energyGrowth", "result.residual",     "relativeError"};
-/// Fewer are better; all numbers of "cost" but times are counters, too.
+constexpr std::array errorPaths{"result.rmsError",        "result.maximumError", "result.hausdorffError",
+                                "result.normalisedError", "result.lengthError",  "result.difference",
+                                "result.seamGap",         "result.penetration",  "result.energyGrowth",
+                                "result.residual",        "relativeError"};
+/// Members of "cost" that are no counters of the run: times, and what the whole process held.
+constexpr std::array noCounters{"cpuSecondsMinimum", "cpuSecondsMedian", "wallSeconds", "repetitions", "peakBytes"};
+/// Fewer are better; all other numbers of "cost" are counters, too.
 constexpr std::array counterPaths{"result.newtonPerStep", "result.rejectedSteps"};
 
 /// The least change of a time that is called one, however quiet both machines were.
 constexpr double leastSpread = 1.05;
+/// Of instructions: what malloc does depends on addresses [–].
+constexpr double instructionSpread = 1e-3;
 
 const Json* at(const Json& record, std::string_view path) {
     const std::size_t dot = path.find('.');
@@ -56,13 +64,19 @@ std::string textAt(const Json& record, std::string_view path) {
     const Json* value = at(record, path);
     if (value && value->asString()) return *value->asString();
     if (value && value->asNumber()) return fmt::format("{:.4g}", *value->asNumber());
+    if (value && value->asBool()) return *value->asBool() ? "yes" : "no";
     return "";
+}
+
+std::string_view keyOf(std::string_view path) {
+    return path.substr(path.find('.') + 1);
 }
 
 std::string nameOf(const Json& record) {
     std::vector<std::string> names;
     for (const char* path : namePaths)
-        if (std::string text = textAt(record, path); !text.empty()) names.push_back(std::move(text));
+        if (std::string text = textAt(record, path); !text.empty())
+            names.push_back(at(record, path)->asBool() ? fmt::format("{} {}", keyOf(path), text) : std::move(text));
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -99,14 +113,14 @@ public:
         for (const char* path : counterPaths) counter(path);
         if (const Json* cost = before_.find("cost"); cost && cost->asObject())
             for (const auto& [key, value] : *cost->asObject())
-                if (!key.starts_with("cpuSeconds") && key != "wallSeconds") counter("cost." + key);
+                if (std::ranges::find(noCounters, key) == noCounters.end())
+                    counter("cost." + key, key == "instructions" ? instructionSpread : 0);
         time();
     }
 
 private:
     void note(Kind kind, std::string_view path, std::string before, std::string after) {
-        into_.changes.push_back(
-            {kind, name_, std::string(path.substr(path.find('.') + 1)), std::move(before), std::move(after)});
+        into_.changes.push_back({kind, name_, std::string(keyOf(path)), std::move(before), std::move(after)});
     }
 
     void verdict(const char* path) {
@@ -146,9 +160,9 @@ private:
             fewer("deviation", *before, *after, 0);
     }
 
-    void counter(const std::string& path) {
+    void counter(const std::string& path, double spread = 0) {
         if (const auto before = numberAt(before_, path), after = numberAt(after_, path); before && after)
-            fewer(path, *before, *after, 0);
+            fewer(path, *before, *after, spread * *before);
     }
 
     void fewer(std::string_view path, double before, double after, double floor) {
@@ -157,31 +171,42 @@ private:
              fmt::format("{:.6g}", after));
     }
 
-    /// In calibrations of its report, with median over least.
     struct Cost {
-        double calibrations = 0, spread = 1, seconds = 0;
+        double seconds = 0, calibration = 1;
+        double spread = 1; ///< median over least
+        [[nodiscard]] double calibrations() const { return seconds / calibration; }
     };
     [[nodiscard]] static std::optional<Cost> costOf(const Json& record) {
         const auto least = numberAt(record, "cost.cpuSecondsMinimum"),
                    median = numberAt(record, "cost.cpuSecondsMedian"),
                    calibration = numberAt(record, "machine.calibrationSeconds");
         if (!least || !median || !calibration || *least <= 0 || *calibration <= 0) return std::nullopt;
-        return Cost{*least / *calibration, *median / *least, *least};
+        return Cost{*least, *calibration, *median / *least};
+    }
+    [[nodiscard]] bool sameProcessor() const {
+        const std::string before = textAt(before_, "machine.processor");
+        return !before.empty() && before == textAt(after_, "machine.processor");
     }
 
+    /// On one processor a calibration takes as long as ever, if nothing disturbs it; and what got slower did so in
+    /// seconds and in calibrations.
     void time() {
         const auto before = costOf(before_), after = costOf(after_);
         if (!before || !after) return;
-        if (std::max(before->spread, after->spread) > noisyRatio) {
+        const double calibrations = after->calibrations() / before->calibrations(),
+                     seconds = sameProcessor() ? after->seconds / before->seconds : calibrations;
+        const double disturbed = std::max(calibrations / seconds, seconds / calibrations);
+        if (std::max({before->spread, after->spread, disturbed}) > noisyRatio) {
             ++into_.timesNoisy;
             return;
         }
         ++into_.timesCompared;
-        const double ratio = after->calibrations / before->calibrations,
-                     spread = std::max(leastSpread, before->spread * after->spread);
-        if (ratio <= spread && ratio >= 1 / spread) return;
-        note(ratio > 1 ? Kind::worse : Kind::better, "CPU time in calibrations",
-             fmt::format("{:.4g}", before->calibrations), fmt::format("{:.4g}", after->calibrations));
+        const double spread = std::max(leastSpread, before->spread * after->spread);
+        const bool slower = std::min(calibrations, seconds) > spread,
+                   faster = std::max(calibrations, seconds) < 1 / spread;
+        if (slower || faster)
+            note(slower ? Kind::worse : Kind::better, "CPU time in calibrations",
+                 fmt::format("{:.4g}", before->calibrations()), fmt::format("{:.4g}", after->calibrations()));
     }
 
     std::string name_;
@@ -251,7 +276,9 @@ std::string comparisonText(const Comparison& comparison) {
                    count(Kind::worse), count(Kind::better), count(Kind::other));
     fmt::format_to(out, "Times of {} were compared", comparison.timesCompared);
     if (comparison.timesNoisy > 0)
-        fmt::format_to(out, "; those of {} were not, for one of both took over {:g} times its least time in the median",
+        fmt::format_to(out,
+                       "; those of {} were not, for in one of both the median, or the calibration, was over {:g} times "
+                       "what it is undisturbed",
                        comparison.timesNoisy, noisyRatio);
     return text + ".\n";
 }

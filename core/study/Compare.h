@@ -28,10 +28,11 @@ struct Comparison {
 
 /// Joins the records of two reports of one study by what names them (scene, case, method) and says what differs:
 ///
-/// verdicts, and counters (the members of `cost` that are no times), exactly; errors exactly, down to the reference's
-/// own error; CPU time as a ratio to the calibration of its report, where it changed by more than both records' median
-/// over least. Times of a record that was noisy in either report are not compared, nor times without repetitions.
-/// Errors: records of different studies, or without a schema.
+/// verdicts, and counters (the members of `cost` that are no times), exactly but for instructions; errors exactly, down
+/// to the reference's own error; CPU time as a ratio to the calibration of its report, where it changed by more than
+/// both records' median over least. Times of a record that was noisy in either report are not compared, nor times whose
+/// calibrations differ on one processor, nor times without repetitions. Errors: records of different studies, or
+/// without a schema.
 [[nodiscard]] Result<Comparison> compared(const std::vector<Json>& before, const std::vector<Json>& after);
 
 /// A line for each change, what is only in one, and the sum of it.

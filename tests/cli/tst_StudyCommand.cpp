@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/Program.h"
 
+#include <QStandardPaths>
+
 using namespace toile;
 
 class tst_StudyCommand : public QObject {
@@ -14,6 +16,7 @@ private slots:
     void casesAreRunByTheirNumbers();
     void extremesAreRunByTheirNumbers();
     void partsOfAStepAreRunByTheirNames();
+    void instructionsAreCountedOrTheReasonIsSaid();
     void aStudyThatWasStoppedGoesOn();
     void reportsAreCompared();
 };
@@ -125,6 +128,25 @@ void tst_StudyCommand::partsOfAStepAreRunByTheirNames() {
     const Finished none = run({"study", "lean", "gloves", "--out", out});
     QCOMPARE(none.status, 1);
     QVERIFY(none.err.contains("\"gloves\" is neither a document nor a feature; there are seams, hands,"));
+}
+
+void tst_StudyCommand::instructionsAreCountedOrTheReasonIsSaid() {
+    const QTemporaryDir folder;
+    const Finished finished =
+        run({"study", "lean", "pins", "--count", "--repetitions", "1", "--quiet", "--out", folder.filePath("lean")});
+    if (QStandardPaths::findExecutable("valgrind").isEmpty()) {
+        QCOMPARE(finished.status, 1);
+        QVERIFY(finished.err.contains("Debian's valgrind"));
+        return;
+    }
+    QCOMPARE(finished.err, QString());
+    QCOMPARE(finished.status, 0);
+    const auto lines = contentOf(folder.filePath("lean/results.jsonl")).split('\n');
+    QCOMPARE(lines.size(), 2 + 1); // the last ends with a line end
+    for (const QByteArray& line : lines.first(2))
+        QVERIFY(*jsonOf(line).find("cost")->find("instructions")->asNumber() > 1e5); // of 256 particles in a frame step
+    QVERIFY(contentOf(folder.filePath("lean/report.md")).contains("counted by valgrind"));
+    QVERIFY(!QFile::exists(folder.filePath("lean/counted")));
 }
 
 void tst_StudyCommand::aStudyThatWasStoppedGoesOn() {

@@ -83,7 +83,7 @@ Result<Taken> taken(const Variant& variant, std::string_view part, const LeanSet
     if (auto done = stepped(*simulation, warmUp, stop); !done) return tl::unexpected(done.error());
     const HeapCount warm = heapTaken();
     const double start = threadSeconds();
-    if (auto done = stepped(*simulation, settings.frames, stop); !done) return tl::unexpected(done.error());
+    if (auto done = countedSteps(*simulation, settings.frames, stop); !done) return tl::unexpected(done.error());
     seconds.push_back((threadSeconds() - start) / settings.frames);
     taken.stepping = heapTaken() - warm;
     taken.frames = settings.frames;
@@ -146,6 +146,10 @@ void judge(FeatureResult& result, const Feature& feature) {
 
 } // namespace
 
+[[gnu::noinline]] Result<void> countedSteps(Simulation& simulation, int frames, std::stop_token stop) {
+    return stepped(simulation, frames, std::move(stop));
+}
+
 Result<SceneHashes> hashesOf(const simulation::Scene& scene) {
     const auto simulation = Simulation::create(scene);
     if (!simulation) return tl::unexpected(simulation.error());
@@ -164,7 +168,10 @@ Result<FeatureResult> studied(const Feature& feature, const LeanSettings& settin
                fmt::format("{}: {}", feature.name, feature.variants[i].what));
         auto run = taken(feature.variants[i], feature.part, settings, seconds[i], stop);
         if (!run) return tl::unexpected(run.error());
+        const HeapCount before = result.rows[i].taken.building;
         result.rows[i].taken = std::move(*run);
+        if (repetition > 0 && before.blocks < result.rows[i].taken.building.blocks)
+            result.rows[i].taken.building = before; // which thread meshes which piece is chance
         return {};
     };
     if (auto done = inTurns(count, settings.repetitions, runOne); !done) return tl::unexpected(done.error());

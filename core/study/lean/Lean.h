@@ -3,6 +3,7 @@
 
 #include "core/base/HeapCount.h"
 #include "core/base/Progress.h"
+#include "core/simulation/Simulation.h"
 #include "core/study/Repetitions.h"
 #include "core/study/lean/Features.h"
 
@@ -13,6 +14,7 @@ namespace toile::study::lean {
 struct LeanSettings {
     int frames = 30; ///< frame steps that are counted, after three that are not: seams merge in them, arrays are made
     int repetitions = 5;
+    bool counted = false; ///< the instructions are counted, too; whoever runs it adds them
 };
 
 /// What a scene is known by.
@@ -30,10 +32,12 @@ struct Taken {
     std::vector<std::string> stages; ///< of the plan at the end, in order
     bool partIsThere = false;
     std::size_t partBytes = 0;    ///< that the part holds
-    HeapCount building, stepping; ///< heap asked for until the first step; in all frames that are counted
+    HeapCount building, stepping; ///< heap asked for until the first step, the least of all repetitions; in all frames
+                                  ///< that are counted
     RunTime frame;                ///< CPU time of a frame step
-    std::vector<Vec3> positions;  ///< of all nodes at the end [m]
-    std::string hash;             ///< of them
+    std::optional<double> instructions; ///< of a frame step
+    std::vector<Vec3> positions;        ///< of all nodes at the end [m]
+    std::string hash;                   ///< of them
     [[nodiscard]] double blocksPerFrame() const { return static_cast<double>(stepping.blocks) / frames; }
 };
 
@@ -59,6 +63,11 @@ struct FeatureResult {
 /// Errors: what the scene's simulation refuses, cancelled.
 [[nodiscard]] Result<FeatureResult> studied(const Feature& feature, const LeanSettings& settings,
                                             std::stop_token stop = {}, const Progress& progress = {});
+
+/// The frame steps that are counted: a function of its own, which a profiler finds by its name.
+[[nodiscard]] Result<void> countedSteps(simulation::Simulation& simulation, int frames, std::stop_token stop);
+inline constexpr const char* countedStepsName =
+    "toile::study::lean::countedSteps(toile::simulation::Simulation&, int, std::stop_token)";
 
 [[nodiscard]] bool passes(const FeatureResult& result);
 

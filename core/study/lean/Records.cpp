@@ -12,24 +12,29 @@ Json sceneOf(const std::string& feature, const std::string& variant, const Scene
     return json.set("hash", hashes.scene).set("start", hashes.start);
 }
 
-Json methodOf(Role role, int frames) {
+Json methodOf(Role role, int frames, bool counted) {
     Json json;
-    return json.set("role", std::string(nameOf(role))).set("frames", frames);
+    return json.set("role", std::string(nameOf(role))).set("frames", frames).set("counted", counted);
 }
 
 Json recordOf(const FeatureResult& result, const Row& row) {
     const Taken& taken = row.taken;
-    Json outcome, cost, record, stages{Json::Array{}};
+    Json outcome, cost, building, record, stages{Json::Array{}};
     for (const std::string& stage : taken.stages) stages.push(stage);
     outcome.set("stages", std::move(stages)).set("resultHash", taken.hash).set("partIsThere", taken.partIsThere);
     if (row.difference) outcome.set("difference", *row.difference);
     cost.set("particles", taken.particles).set("substeps", taken.substeps).set("stageObjects", taken.stages.size());
-    cost.set("partBytes", taken.partBytes).set("buildingBlocks", taken.building.blocks);
-    cost.set("buildingBytes", taken.building.bytes).set("steppingBlocks", taken.stepping.blocks);
+    cost.set("partBytes", taken.partBytes).set("steppingBlocks", taken.stepping.blocks);
     cost.set("steppingBytes", taken.stepping.bytes);
+    building.set("blocks", taken.building.blocks).set("bytes", taken.building.bytes);
     cost.set("cpuSecondsMinimum", taken.frame.least).set("cpuSecondsMedian", taken.frame.median);
-    record.set("scene", sceneOf(result.name, row.what, taken.hashes)).set("method", methodOf(row.role, taken.frames));
-    record.set("result", outcome).set("cost", cost).set("verdict", row.why.empty() ? "PASS" : "FAIL");
+    if (taken.instructions) cost.set("instructions", *taken.instructions);
+    record.set("scene", sceneOf(result.name, row.what, taken.hashes))
+        .set("method", methodOf(row.role, taken.frames, taken.instructions.has_value()));
+    record.set("result", outcome)
+        .set("cost", cost)
+        .set("building", building)
+        .set("verdict", row.why.empty() ? "PASS" : "FAIL");
     if (!row.why.empty()) record.set("reason", row.why);
     return record;
 }
@@ -40,13 +45,13 @@ const Json* at(const Json& record, const char* group, const char* key) {
     return members ? members->find(key) : nullptr;
 }
 
-double number(const Json& record, const char* key) {
-    const Json* value = at(record, "cost", key);
+double number(const Json& record, const char* key, const char* group = "cost") {
+    const Json* value = at(record, group, key);
     return value && value->asNumber() ? *value->asNumber() : 0;
 }
 
-std::size_t count(const Json& record, const char* key) {
-    return static_cast<std::size_t>(number(record, key));
+std::size_t count(const Json& record, const char* key, const char* group = "cost") {
+    return static_cast<std::size_t>(number(record, key, group));
 }
 
 Row rowFrom(const Variant& variant, int frames, const Json& record) {
@@ -60,10 +65,11 @@ Row rowFrom(const Variant& variant, int frames, const Json& record) {
     if (const Json* there = at(record, "result", "partIsThere"); there && there->asBool())
         taken.partIsThere = *there->asBool();
     taken.partBytes = count(record, "partBytes");
-    taken.building = {count(record, "buildingBlocks"), count(record, "buildingBytes")};
+    taken.building = {count(record, "blocks", "building"), count(record, "bytes", "building")};
     taken.stepping = {count(record, "steppingBlocks"), count(record, "steppingBytes")};
     const double least = number(record, "cpuSecondsMinimum"), median = number(record, "cpuSecondsMedian");
     taken.frame = {least, median, isNoisy(least * frames, median * frames)};
+    if (at(record, "cost", "instructions")) taken.instructions = number(record, "instructions");
     taken.hash = *at(record, "result", "resultHash")->asString();
     taken.hashes = {*at(record, "scene", "hash")->asString(), *at(record, "scene", "start")->asString()};
     if (const Json* difference = at(record, "result", "difference"); difference && difference->asNumber())
@@ -90,7 +96,7 @@ std::vector<Json> keysOf(const Feature& feature, const LeanSettings& settings) {
         if (!hashes) return {};
         Json key;
         keys.push_back(key.set("scene", sceneOf(feature.name, variant.what, *hashes))
-                           .set("method", methodOf(variant.role, settings.frames)));
+                           .set("method", methodOf(variant.role, settings.frames, settings.counted)));
     }
     return keys;
 }

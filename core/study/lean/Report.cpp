@@ -14,6 +14,14 @@ std::string differenceText(const Row& row) {
     return *row.difference == 0 ? "none" : fmt::format("{:.2g}", *row.difference);
 }
 
+const char* aboutInstructions(const std::vector<FeatureResult>& results) {
+    const bool counted = std::ranges::any_of(results, [](const FeatureResult& result) {
+        return std::ranges::any_of(result.rows, [](const Row& row) { return row.taken.instructions.has_value(); });
+    });
+    return counted ? "Instructions are those of a frame step, counted by valgrind."
+                   : "Instructions were not counted; --count does, where valgrind is installed.";
+}
+
 } // namespace
 
 std::string summaryOf(const std::vector<FeatureResult>& results) {
@@ -44,21 +52,22 @@ std::string leanText(const std::vector<FeatureResult>& results, const Circumstan
         "1e-12 m. *in use*: positions are others. Blocks and bytes are what operator new was asked for: to build the "
         "simulation, of which a forced one makes its plan twice, and for one frame step. CPU time is that of a frame "
         "step, the least and the median of repetitions "
-        "that take turns. Difference: the largest of a node to the variant it is compared with. Instructions are not "
-        "counted.\n\n"
-        "| feature | | scene | particles | stages | part B | blocks to build | KiB | blocks a step | CPU ms | median | "
-        "difference m | verdict |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+        "that take turns. Difference: the largest of a node to the variant it is compared with. {}\n\n"
+        "| feature | | scene | particles | stages | part B | blocks to build | KiB | blocks a step | 1000 instructions "
+        "| "
+        "CPU ms | median | difference m | verdict |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
         circumstances.command, circumstances.program, circumstances.processor, 1e3 * circumstances.calibration,
-        summaryOf(results));
+        summaryOf(results), aboutInstructions(results));
     std::size_t rows = 0, noisy = 0;
     for (const FeatureResult& result : results)
         for (const Row& row : result.rows) {
             const Taken& taken = row.taken;
             ++rows;
             noisy += taken.frame.noisy;
-            fmt::format_to(out, "| {} | {} | {} | {} | {} | {} | {} | {} | {:.4g} | {:.3g} | {:.3g} | {} | {} |\n",
+            fmt::format_to(out, "| {} | {} | {} | {} | {} | {} | {} | {} | {:.4g} | {} | {:.3g} | {:.3g} | {} | {} |\n",
                            result.name, nameOf(row.role), row.what, taken.particles, fmt::join(taken.stages, ", "),
                            taken.partBytes, taken.building.blocks, taken.building.bytes / 1024, taken.blocksPerFrame(),
+                           taken.instructions ? fmt::format("{:.0f}", *taken.instructions / 1000) : "",
                            1e3 * taken.frame.least, 1e3 * taken.frame.median, differenceText(row),
                            row.why.empty() ? "PASS" : "FAIL: " + row.why);
         }
