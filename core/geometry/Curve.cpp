@@ -149,11 +149,15 @@ std::pair<Curve, Curve> splitAt(const Curve& curve, double t) {
     return {before, after};
 }
 
-std::vector<Vec2> flattened(const Curve& curve, double chordError) {
+int flatteningSteps(const Curve& curve, double chordError) {
     expects(chordError > 0, "a chord error is positive");
-    int steps = 1;
-    if (const auto* cubic = std::get_if<CubicShape>(&curve.shape)) steps = cubicSteps(curve, *cubic, chordError);
-    else if (!isStraight(curve)) steps = arcSteps(circleOf(curve, std::get<ArcShape>(curve.shape).bulge), chordError);
+    if (const auto* cubic = std::get_if<CubicShape>(&curve.shape)) return cubicSteps(curve, *cubic, chordError);
+    if (isStraight(curve)) return 1;
+    return arcSteps(circleOf(curve, std::get<ArcShape>(curve.shape).bulge), chordError);
+}
+
+std::vector<Vec2> flattened(const Curve& curve, double chordError) {
+    const int steps = flatteningSteps(curve, chordError);
     std::vector<Vec2> points;
     points.reserve(static_cast<std::size_t>(steps) + 1);
     for (int i = 0; i <= steps; ++i) points.push_back(pointAt(curve, static_cast<double>(i) / steps));
@@ -175,28 +179,21 @@ Curve mirrored(const Curve& curve, Vec2 a, Vec2 b) {
 }
 
 ArcLength::ArcLength(const Curve& curve) : curve_(curve) {
-    const int intervals = std::holds_alternative<CubicShape>(curve.shape) ? 32 : 1;
+    if (std::holds_alternative<CubicShape>(curve.shape)) intervals_ = mostIntervals;
     const Speed speed(curve_);
-    parameters_.reserve(static_cast<std::size_t>(intervals) + 1);
-    lengths_.reserve(static_cast<std::size_t>(intervals) + 1);
-    parameters_.push_back(0);
-    lengths_.push_back(0);
-    for (int i = 1; i <= intervals; ++i) {
-        const double from = parameters_.back(), to = static_cast<double>(i) / intervals;
-        lengths_.push_back(lengths_.back() + lengthBetween(speed, from, to));
-        parameters_.push_back(to);
-    }
+    for (std::size_t i = 0; i < intervals_; ++i)
+        lengths_[i + 1] = lengths_[i] + lengthBetween(speed, begin(i), begin(i + 1));
 }
 
 double ArcLength::parameterAt(double fraction) const {
     if (fraction <= 0) return 0;
     if (fraction >= 1) return 1;
-    if (parameters_.size() == 2) return fraction; // lines and arcs have constant speed
+    if (intervals_ == 1) return fraction;
     const double wanted = fraction * total();
     const auto above = std::upper_bound(lengths_.begin(), lengths_.end(), wanted);
     const auto i = static_cast<std::size_t>(above - lengths_.begin()) - 1;
     const Speed speed(curve_);
-    const double left = parameters_[i], right = parameters_[i + 1];
+    const double left = begin(i), right = begin(i + 1);
     const double stretch = lengths_[i + 1] - lengths_[i], part = (wanted - lengths_[i]) / stretch;
     // Where one formula gives the length of the whole interval, it gives that of a part of it.
     const bool smooth = std::abs(speed.integral(left, right) - stretch) <= 1e-13 * stretch;
@@ -226,10 +223,9 @@ double ArcLength::parameterAt(double fraction) const {
 double ArcLength::fractionAt(double t) const {
     if (t <= 0 || total() <= 0) return 0;
     if (t >= 1) return 1;
-    if (parameters_.size() == 2) return t;
-    const auto above = std::upper_bound(parameters_.begin(), parameters_.end(), t);
-    const auto i = static_cast<std::size_t>(above - parameters_.begin()) - 1;
-    return (lengths_[i] + lengthBetween(Speed(curve_), parameters_[i], t)) / total();
+    if (intervals_ == 1) return t;
+    const auto i = static_cast<std::size_t>(t * static_cast<double>(intervals_));
+    return (lengths_[i] + lengthBetween(Speed(curve_), begin(i), t)) / total();
 }
 
 double length(const Curve& curve) {

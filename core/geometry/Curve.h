@@ -3,6 +3,7 @@
 
 #include "core/geometry/Vec.h"
 
+#include <array>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -43,6 +44,8 @@ struct Curve {
 [[nodiscard]] std::pair<Curve, Curve> splitAt(const Curve& curve, double t);
 /// Polyline from start to end whose distance to the curve is at most chordError [m]; includes both ends.
 [[nodiscard]] std::vector<Vec2> flattened(const Curve& curve, double chordError);
+/// How many equal steps of the parameter it has.
+[[nodiscard]] int flatteningSteps(const Curve& curve, double chordError);
 /// The curve seen in a mirror along the line through a and b, from mirrored start to mirrored end.
 [[nodiscard]] Curve mirrored(const Curve& curve, Vec2 a, Vec2 b);
 [[nodiscard]] Vec2 mirrored(Vec2 point, Vec2 a, Vec2 b);
@@ -52,7 +55,7 @@ class ArcLength {
 public:
     explicit ArcLength(const Curve& curve);
 
-    [[nodiscard]] double total() const { return lengths_.back(); }
+    [[nodiscard]] double total() const { return lengths_[intervals_]; }
     /// Parameter t whose arc length from the start is fraction · total.
     [[nodiscard]] double parameterAt(double fraction) const;
     /// Arc length from the start up to t, divided by the total.
@@ -61,8 +64,16 @@ public:
     [[nodiscard]] Vec2 pointAt(double fraction) const { return geometry::pointAt(curve_, parameterAt(fraction)); }
 
 private:
+    static constexpr std::size_t mostIntervals = 32;
+
+    /// The parameter at which an interval begins.
+    [[nodiscard]] double begin(std::size_t interval) const {
+        return static_cast<double>(interval) / static_cast<double>(intervals_);
+    }
+
     Curve curve_;
-    std::vector<double> parameters_, lengths_;
+    std::size_t intervals_ = 1;                       ///< lines and arcs have constant speed
+    std::array<double, mostIntervals + 1> lengths_{}; ///< from the start to where each interval begins
 };
 
 [[nodiscard]] double length(const Curve& curve);

@@ -62,9 +62,9 @@ double finestSpacingAlong(const PieceInput& piece, const PieceBoundary& boundary
     return piece.spacing / finest;
 }
 
-std::vector<SpacingSeed> seedsOf(const BoundaryNodes& nodes, const PieceFrame& frame, int pieceIndex,
-                                 const BoundaryDivision& division) {
-    std::vector<SpacingSeed> seeds;
+void listSeeds(const BoundaryNodes& nodes, const PieceFrame& frame, int pieceIndex, const BoundaryDivision& division,
+               std::vector<SpacingSeed>& seeds) {
+    seeds.clear();
     seeds.reserve(nodes.points.size());
     for (std::size_t r = 0; r < nodes.rings.size(); ++r)
         for (std::size_t i = 0; i < nodes.rings[r].size(); ++i) {
@@ -76,7 +76,6 @@ std::vector<SpacingSeed> seedsOf(const BoundaryNodes& nodes, const PieceFrame& f
             seeds.push_back({frame.frameOf(nodes.points[at(a)]), frame.frameOf(nodes.points[at(b)]),
                              parts > 1 ? seamDivision : loneSegmentDivision});
         }
-    return seeds;
 }
 
 double exactArea(const PieceInput& piece) {

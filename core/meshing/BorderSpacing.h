@@ -11,9 +11,9 @@ namespace toile::meshing {
 [[nodiscard]] double finestSpacingAlong(const PieceInput& piece, const PieceBoundary& boundary, const Lattice& lattice,
                                         int loop, int edge, double from, double to);
 
-/// What the spacing of the frozen border nodes asks of the cells beside them.
-[[nodiscard]] std::vector<SpacingSeed> seedsOf(const BoundaryNodes& nodes, const PieceFrame& frame, int pieceIndex,
-                                               const BoundaryDivision& division);
+/// What the spacing of the frozen border nodes asks of the cells beside them; overwrites the list.
+void listSeeds(const BoundaryNodes& nodes, const PieceFrame& frame, int pieceIndex, const BoundaryDivision& division,
+               std::vector<SpacingSeed>& seeds);
 
 /// Area enclosed by the curves themselves [m²].
 [[nodiscard]] double exactArea(const PieceInput& piece);

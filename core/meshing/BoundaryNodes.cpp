@@ -4,7 +4,6 @@
 #include "core/meshing/Crossings.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace toile::meshing {
 namespace {
@@ -15,17 +14,23 @@ std::size_t at(int i) {
 
 class Walk {
 public:
-    Walk(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary, const BoundaryDivision& division)
-        : piece_(piece), pieceIndex_(pieceIndex), boundary_(boundary), division_(division) {}
+    Walk(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary, const BoundaryDivision& division,
+         Arena& arena, BoundaryNodes& nodes)
+        : piece_(piece), pieceIndex_(pieceIndex), boundary_(boundary), division_(division), nodes_(nodes),
+          fractions_(&arena), waiting_(&arena) {}
 
-    BoundaryNodes run() {
+    void run() {
         std::size_t most = 0;
         for (int loop = 0; loop < loopCount(piece_); ++loop) most += division_.mostNodes(pieceIndex_, loop);
+        nodes_.points.clear();
+        nodes_.grid.clear();
         nodes_.points.reserve(most);
         nodes_.grid.reserve(most);
         fractions_.reserve(most);
+        nodes_.loops.resize(at(loopCount(piece_)));
+        nodes_.rings.resize(at(loopCount(piece_)));
+        nodes_.spots.resize(at(loopCount(piece_)));
         for (int loop = 0; loop < loopCount(piece_); ++loop) walkLoop(loop);
-        return std::move(nodes_);
     }
 
 private:
@@ -34,33 +39,39 @@ private:
         const Vec2 start = edges.front().curve.start;
         const int first = addNode(start, gridOf(start));
         int current = first;
-        ring_.reserve(division_.mostNodes(pieceIndex_, loop));
-        spots_.reserve(division_.mostNodes(pieceIndex_, loop));
-        ring_.push_back(first);
-        auto& lists = nodes_.loops.emplace_back();
-        lists.reserve(edges.size());
-        std::vector<std::size_t> waiting; // edges of a run whose next node is not reached yet
+        std::vector<int>& ring = nodes_.rings[at(loop)];
+        std::vector<BoundarySpot>& spots = nodes_.spots[at(loop)];
+        ring.reserve(division_.mostNodes(pieceIndex_, loop));
+        spots.reserve(division_.mostNodes(pieceIndex_, loop));
+        ring.assign(1, first);
+        spots.clear();
+        auto& lists = nodes_.loops[at(loop)];
+        lists.resize(edges.size());
+        waiting_.clear();
         for (int e = 0, n = static_cast<int>(edges.size()); e < n; ++e) {
-            EdgeNodes& list = lists.emplace_back();
+            EdgeNodes& list = lists[at(e)];
             const int before = current;
             const EdgeArc& arc = boundary_.loops[at(loop)].edges[at(e)];
             if (arc.collapsed) {
                 list.assign({{before, 0}, {before, 1}});
             } else if (division_.passesEnd(pieceIndex_, loop, e)) {
                 list.assign({{before, 0}});
-                waiting.push_back(at(e));
+                waiting_.push_back(at(e));
             } else {
                 division_.listFractions(pieceIndex_, loop, e, fractions_);
                 list.reserve(fractions_.size());
-                list.push_back({before, 0});
+                list.assign(1, {before, 0});
                 for (std::size_t k = 1; k < fractions_.size(); ++k) {
                     const bool last = k + 1 == fractions_.size();
                     const Vec2 point = last ? edges[at(e)].curve.end : arc.arc.pointAt(fractions_[k]);
                     current = last && isLast(loop, e) ? first : nextNode(current, point);
-                    step(current, {loop, e, 0.5 * (fractions_[k - 1] + fractions_[k])});
+                    if (current != ring.back()) {
+                        ring.push_back(current);
+                        spots.push_back({loop, e, 0.5 * (fractions_[k - 1] + fractions_[k])});
+                    }
                     list.push_back({current, fractions_[k]});
-                    for (const std::size_t edge : waiting) lists[edge].push_back({current, 1});
-                    waiting.clear();
+                    for (const std::size_t edge : waiting_) lists[edge].push_back({current, 1});
+                    waiting_.clear();
                 }
             }
         }
@@ -88,43 +99,29 @@ private:
         return grid == nodes_.grid[at(current)] ? current : addNode(point, grid);
     }
 
-    void step(int node, const BoundarySpot& spot) {
-        if (node == ring_.back()) return;
-        ring_.push_back(node);
-        spots_.push_back(spot);
-    }
-
     void closeRing(int loop) {
-        if (ring_.size() > 1 && ring_.back() == ring_.front()) ring_.pop_back();
-        while (spots_.size() < ring_.size())
-            spots_.push_back(spots_.empty() ? BoundarySpot{loop, 0, 0.5} : spots_.back());
-        if (boundary_.loops[at(loop)].backwards) {
-            std::reverse(ring_.begin() + 1, ring_.end());
-            std::reverse(spots_.begin(), spots_.end());
-        }
-        nodes_.rings.push_back(std::exchange(ring_, {}));
-        nodes_.spots.push_back(std::exchange(spots_, {}));
+        std::vector<int>& ring = nodes_.rings[at(loop)];
+        std::vector<BoundarySpot>& spots = nodes_.spots[at(loop)];
+        if (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+        while (spots.size() < ring.size()) spots.push_back(spots.empty() ? BoundarySpot{loop, 0, 0.5} : spots.back());
+        if (!boundary_.loops[at(loop)].backwards) return;
+        std::reverse(ring.begin() + 1, ring.end());
+        std::reverse(spots.begin(), spots.end());
     }
 
     const PieceInput& piece_;
     int pieceIndex_;
     const PieceBoundary& boundary_;
     const BoundaryDivision& division_;
-    BoundaryNodes nodes_;
-    std::vector<int> ring_;
-    std::vector<BoundarySpot> spots_;
-    std::vector<double> fractions_;
+    BoundaryNodes& nodes_;
+    std::pmr::vector<double> fractions_;
+    std::pmr::vector<std::size_t> waiting_; ///< edges of a run whose next node is not reached yet
 };
 
-} // namespace
+using Rings = std::pmr::vector<std::pmr::vector<GridPoint>>;
 
-BoundaryNodes boundaryNodes(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,
-                            const BoundaryDivision& division) {
-    return Walk(piece, pieceIndex, boundary, division).run();
-}
-
-std::vector<std::vector<GridPoint>> ringPoints(const BoundaryNodes& nodes) {
-    std::vector<std::vector<GridPoint>> rings;
+Rings ringPoints(const BoundaryNodes& nodes, Arena& arena) {
+    Rings rings(&arena);
     for (const auto& ring : nodes.rings) {
         auto& points = rings.emplace_back();
         points.reserve(ring.size());
@@ -133,9 +130,16 @@ std::vector<std::vector<GridPoint>> ringPoints(const BoundaryNodes& nodes) {
     return rings;
 }
 
-std::vector<BoundarySpot> spotsTooCoarse(const BoundaryNodes& nodes) {
-    std::vector<BoundarySpot> spots;
-    const std::vector<std::vector<GridPoint>> rings = ringPoints(nodes);
+} // namespace
+
+void freezeNodes(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,
+                 const BoundaryDivision& division, Arena& arena, BoundaryNodes& nodes) {
+    Walk(piece, pieceIndex, boundary, division, arena, nodes).run();
+}
+
+std::pmr::vector<BoundarySpot> spotsTooCoarse(const BoundaryNodes& nodes, Arena& arena) {
+    std::pmr::vector<BoundarySpot> spots(&arena);
+    const Rings rings = ringPoints(nodes, arena);
     for (std::size_t r = 0; r < rings.size(); ++r) {
         WideInt doubledArea = 0;
         for (std::size_t i = 1; i + 1 < rings[r].size(); ++i)
@@ -146,8 +150,10 @@ std::vector<BoundarySpot> spotsTooCoarse(const BoundaryNodes& nodes) {
         if (misplaced) spots.insert(spots.end(), nodes.spots[0].begin(), nodes.spots[0].end());
     }
     if (!spots.empty()) return spots;
-    const std::vector<RingSegment> segments = segmentsOf(rings);
-    for (const auto& [i, j] : allCrossings(segments))
+    std::pmr::vector<RingSegment> segments(&arena);
+    segments.reserve(nodes.points.size());
+    for (std::size_t r = 0; r < rings.size(); ++r) appendSegments(rings[r], static_cast<int>(r), segments);
+    for (const auto& [i, j] : allCrossings(segments, arena))
         for (const int s : {i, j}) {
             const RingSegment& segment = segments[at(s)];
             spots.push_back(nodes.spots[at(segment.ring)][at(segment.index)]);

@@ -26,14 +26,12 @@ struct BoundaryNodes {
     friend bool operator==(const BoundaryNodes&, const BoundaryNodes&) = default;
 };
 
-[[nodiscard]] BoundaryNodes boundaryNodes(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,
-                                          const BoundaryDivision& division);
-
-/// The grid points of the rings.
-[[nodiscard]] std::vector<std::vector<GridPoint>> ringPoints(const BoundaryNodes& nodes);
+/// Overwrites the nodes by those that the division gives.
+void freezeNodes(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,
+                 const BoundaryDivision& division, Arena& arena, BoundaryNodes& nodes);
 
 /// Where the polygon through the nodes is no valid border although the curves are: the places to divide
 /// finer.
-[[nodiscard]] std::vector<BoundarySpot> spotsTooCoarse(const BoundaryNodes& nodes);
+[[nodiscard]] std::pmr::vector<BoundarySpot> spotsTooCoarse(const BoundaryNodes& nodes, Arena& arena);
 
 } // namespace toile::meshing

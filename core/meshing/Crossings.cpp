@@ -23,10 +23,11 @@ bool follows(const RingSegment& s, const RingSegment& t) {
 
 class CrossingSearch {
 public:
-    explicit CrossingSearch(std::span<const RingSegment> segments) : segments_(segments) {}
+    CrossingSearch(std::span<const RingSegment> segments, Arena& arena)
+        : segments_(segments), arena_(arena), found_(&arena) {}
 
-    std::vector<std::pair<int, int>> run() {
-        std::vector<int> all(segments_.size());
+    std::pmr::vector<std::pair<int, int>> run() {
+        std::pmr::vector<int> all(segments_.size(), &arena_);
         GridBox box{0, 0, 0, 0};
         for (std::size_t i = 0; i < all.size(); ++i) {
             all[i] = static_cast<int>(i);
@@ -41,7 +42,7 @@ public:
     }
 
 private:
-    void search(const std::vector<int>& members, const GridBox& box, int depth) {
+    void search(std::span<const int> members, const GridBox& box, int depth) {
         constexpr std::size_t few = 12;
         constexpr int deepest = 48;
         if (members.size() <= few || depth >= deepest) return compareAll(members);
@@ -49,21 +50,22 @@ private:
         GridBox low = box, high = box;
         if (wide) low.highX = high.lowX = (box.lowX + box.highX) / 2;
         else low.highY = high.lowY = (box.lowY + box.highY) / 2;
-        const std::vector<int> lower = within(members, low), upper = within(members, high);
+        const std::pmr::vector<int> lower = within(members, low), upper = within(members, high);
         const std::size_t most = members.size() - members.size() / 8;
         if (lower.size() > most && upper.size() > most) return compareAll(members);
         search(lower, low, depth + 1);
         search(upper, high, depth + 1);
     }
 
-    [[nodiscard]] std::vector<int> within(const std::vector<int>& members, const GridBox& box) const {
-        std::vector<int> inside;
+    [[nodiscard]] std::pmr::vector<int> within(std::span<const int> members, const GridBox& box) const {
+        std::pmr::vector<int> inside(&arena_);
+        inside.reserve(members.size());
         for (const int i : members)
             if (touches(segments_[static_cast<std::size_t>(i)], box)) inside.push_back(i);
         return inside;
     }
 
-    void compareAll(const std::vector<int>& members) {
+    void compareAll(std::span<const int> members) {
         for (std::size_t i = 0; i < members.size(); ++i)
             for (std::size_t j = i + 1; j < members.size(); ++j)
                 if (segmentsClash(segments_[static_cast<std::size_t>(members[i])],
@@ -72,7 +74,8 @@ private:
     }
 
     std::span<const RingSegment> segments_;
-    std::vector<std::pair<int, int>> found_;
+    Arena& arena_;
+    std::pmr::vector<std::pair<int, int>> found_;
 };
 
 } // namespace
@@ -86,29 +89,22 @@ bool segmentsClash(const RingSegment& s, const RingSegment& t) {
     return segmentsMeet(s.a, s.b, t.a, t.b);
 }
 
-std::vector<std::pair<int, int>> allCrossings(std::span<const RingSegment> segments) {
-    if (const auto crosses = chainsCross(segments); crosses && !*crosses) return {};
-    return CrossingSearch(segments).run();
+std::pmr::vector<std::pair<int, int>> allCrossings(std::span<const RingSegment> segments, Arena& arena) {
+    if (const auto crosses = chainsCross(segments, arena); crosses && !*crosses)
+        return std::pmr::vector<std::pair<int, int>>(&arena);
+    return CrossingSearch(segments, arena).run();
 }
 
-std::optional<std::pair<int, int>> firstCrossing(std::span<const RingSegment> segments) {
-    const auto all = allCrossings(segments);
+std::optional<std::pair<int, int>> firstCrossing(std::span<const RingSegment> segments, Arena& arena) {
+    const auto all = allCrossings(segments, arena);
     if (all.empty()) return std::nullopt;
     return all.front();
 }
 
-std::vector<RingSegment> segmentsOf(std::span<const std::vector<GridPoint>> rings) {
-    std::vector<RingSegment> segments;
-    std::size_t count = 0;
-    for (const auto& ring : rings) count += ring.size();
-    segments.reserve(count);
-    for (std::size_t r = 0; r < rings.size(); ++r) {
-        const auto& ring = rings[r];
-        for (std::size_t i = 0; i < ring.size(); ++i)
-            segments.push_back({ring[i], ring[(i + 1) % ring.size()], static_cast<int>(r), static_cast<int>(i),
-                                static_cast<int>(ring.size()), 0});
-    }
-    return segments;
+void appendSegments(std::span<const GridPoint> ring, int number, std::pmr::vector<RingSegment>& segments) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        segments.push_back(
+            {ring[i], ring[(i + 1) % ring.size()], number, static_cast<int>(i), static_cast<int>(ring.size()), 0});
 }
 
 bool isInside(std::span<const GridPoint> ring, GridPoint point) {

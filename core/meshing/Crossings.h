@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Arena.h"
 #include "core/meshing/GridPoint.h"
 
 #include <optional>
@@ -24,13 +25,13 @@ struct RingSegment {
 
 /// Two segments that meet elsewhere than at the common corner of neighbours, as indices; the pair that comes
 /// first. Neighbours that fold back on one another count. Halves the box until few segments are left in it.
-[[nodiscard]] std::optional<std::pair<int, int>> firstCrossing(std::span<const RingSegment> segments);
+[[nodiscard]] std::optional<std::pair<int, int>> firstCrossing(std::span<const RingSegment> segments, Arena& arena);
 
 /// All such pairs, sorted.
-[[nodiscard]] std::vector<std::pair<int, int>> allCrossings(std::span<const RingSegment> segments);
+[[nodiscard]] std::pmr::vector<std::pair<int, int>> allCrossings(std::span<const RingSegment> segments, Arena& arena);
 
-/// The segments of the closed rings; points of one ring are distinct from their neighbours.
-[[nodiscard]] std::vector<RingSegment> segmentsOf(std::span<const std::vector<GridPoint>> rings);
+/// Appends the segments of a closed ring, whose points are distinct from their neighbours.
+void appendSegments(std::span<const GridPoint> ring, int number, std::pmr::vector<RingSegment>& segments);
 
 /// The point lies inside by the even-odd rule; points on the border may count either way.
 [[nodiscard]] bool isInside(std::span<const GridPoint> ring, GridPoint point);

@@ -18,9 +18,9 @@ constexpr std::size_t mostBorderNodes = 100000, mostTimesNodes = 16;
 
 /// Doubles each stretch once, however many of its segments are too coarse. False where parts are shorter than the
 /// integer grid's unit: more of them make no more nodes.
-bool refineOnce(const std::vector<BoundarySpot>& spots, int piece, const PieceBoundary& boundary,
+bool refineOnce(std::span<const BoundarySpot> spots, int piece, const PieceBoundary& boundary, Arena& arena,
                 BoundaryDivision& division) {
-    std::vector<int> done;
+    std::pmr::vector<int> done(&arena);
     for (const BoundarySpot& spot : spots) {
         division.takeEveryVertex(piece, spot.loop);
         for (const Stretch& stretch : division.stretches(piece, spot.loop, spot.edge)) {
@@ -59,47 +59,46 @@ Result<void> nodesApart(const MeshInput& input, const std::vector<PieceBoundary>
 
 } // namespace
 
-Result<DividedBorders> dividedBorders(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
-                                      const std::vector<CheckedSeam>& seams, const FixedPoints& points,
-                                      const SpacingAlong& spacing, const std::vector<const FrozenBorder*>& known) {
-    auto created = BoundaryDivision::create(input, boundaries, seams, points, spacing);
-    if (!created) return tl::unexpected(created.error());
-    DividedBorders result{std::move(*created), {}};
-    const BoundaryDivision& division = result.division;
+Result<BoundaryDivision> divideBorders(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
+                                       std::span<const CheckedSeam> seams, const FixedPoints& points,
+                                       const SpacingAlong& spacing, Arena& arena,
+                                       std::span<BorderMemory* const> borders) {
+    auto created = BoundaryDivision::create(input, boundaries, seams, points, spacing, arena);
+    if (!created) return created;
+    BoundaryDivision& division = *created;
     if (auto apart = nodesApart(input, boundaries, division); !apart) return tl::unexpected(apart.error());
-    result.borders.resize(input.pieces.size());
-    std::vector<std::size_t> firstCounts(input.pieces.size(), 0);
-    std::vector<double> description;
+    for (BorderMemory* border : borders) border->isNext = false;
+    std::pmr::vector<std::size_t> firstCounts(input.pieces.size(), 0, &arena);
+    std::pmr::vector<double> description(&arena);
     for (bool coarse = true; coarse;) {
         coarse = false;
         for (std::size_t p = 0; p < input.pieces.size(); ++p) {
-            std::optional<FrozenBorder>& border = result.borders[p];
+            BorderMemory& border = *borders[p];
             division.describe(static_cast<int>(p), description);
-            if (border && border->description == description) continue;
-            if (known[p] && known[p]->description == description) {
-                if (firstCounts[p] == 0) firstCounts[p] = known[p]->nodes.points.size();
-                border.reset();
+            if (border.isNext && border.next.description == description) continue;
+            border.isNext = !border.isKnown || border.known.description != description;
+            if (!border.isNext) {
+                if (firstCounts[p] == 0) firstCounts[p] = border.known.nodes.points.size();
                 continue;
             }
-            border = FrozenBorder{
-                description, boundaryNodes(input.pieces[p], static_cast<int>(p), boundaries[p], division), {}};
-            const std::size_t count = border->nodes.points.size();
+            border.next.description = description;
+            freezeNodes(input.pieces[p], static_cast<int>(p), boundaries[p], division, arena, border.next.nodes);
+            const std::size_t count = border.next.nodes.points.size();
             if (firstCounts[p] == 0) firstCounts[p] = count;
-            const std::vector<BoundarySpot> spots = spotsTooCoarse(border->nodes);
+            const std::pmr::vector<BoundarySpot> spots = spotsTooCoarse(border.next.nodes, arena);
             if (spots.empty()) continue;
             coarse = true;
             if (count > std::max(mostBorderNodes, mostTimesNodes * firstCounts[p]) ||
-                !refineOnce(spots, static_cast<int>(p), boundaries[p], result.division))
+                !refineOnce(spots, static_cast<int>(p), boundaries[p], arena, division))
                 return fail(ErrorCode::invalidInput,
                             "Two parts of the border run too near one another to be divided into nodes.",
                             {.object = nameOf(input.pieces[p], spots.front().loop, spots.front().edge)});
         }
     }
     for (std::size_t p = 0; p < input.pieces.size(); ++p)
-        if (result.borders[p])
-            result.borders[p]->seeds =
-                seedsOf(result.borders[p]->nodes, boundaries[p].frame, static_cast<int>(p), division);
-    return result;
+        if (FrozenBorder& next = borders[p]->next; borders[p]->isNext)
+            listSeeds(next.nodes, boundaries[p].frame, static_cast<int>(p), division, next.seeds);
+    return created;
 }
 
 } // namespace toile::meshing

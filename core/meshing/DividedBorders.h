@@ -8,23 +8,23 @@ namespace toile::meshing {
 
 /// What a piece's mesh is made of beside its lattice.
 struct FrozenBorder {
-    std::vector<double> description; ///< of its division: the nodes follow from it
+    std::pmr::vector<double> description; ///< of its division: the nodes follow from it
     BoundaryNodes nodes;
     std::vector<SpacingSeed> seeds;
 };
 
-/// How the borders of all pieces are divided, and those that are new; empty where the known one stays.
-struct DividedBorders {
-    BoundaryDivision division;
-    std::vector<std::optional<FrozenBorder>> borders;
+/// The border of a piece as it was frozen before, and as it is to be frozen now.
+struct BorderMemory {
+    FrozenBorder known, next;
+    bool isKnown = false;
+    bool isNext = false; ///< otherwise the known one stays
 };
 
-/// Divides all borders, finer where the polygon through the nodes would cross itself. `known` has the border of each
-/// piece that was divided before, or null.
-[[nodiscard]] Result<DividedBorders> dividedBorders(const MeshInput& input,
-                                                    const std::vector<PieceBoundary>& boundaries,
-                                                    const std::vector<CheckedSeam>& seams, const FixedPoints& points,
-                                                    const SpacingAlong& spacing,
-                                                    const std::vector<const FrozenBorder*>& known);
+/// Divides all borders, finer where the polygon through the nodes would cross itself; freezes those that are new.
+[[nodiscard]] Result<BoundaryDivision> divideBorders(const MeshInput& input,
+                                                     const std::vector<PieceBoundary>& boundaries,
+                                                     std::span<const CheckedSeam> seams, const FixedPoints& points,
+                                                     const SpacingAlong& spacing, Arena& arena,
+                                                     std::span<BorderMemory* const> borders);
 
 } // namespace toile::meshing

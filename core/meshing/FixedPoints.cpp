@@ -19,12 +19,12 @@ const EdgeArc& arcOf(const std::vector<PieceBoundary>& boundaries, int piece, in
     return boundaries[at(piece)].loops[at(loop)].edges[at(edge)];
 }
 
-std::vector<double>& pointsOf(FixedPoints& points, const SeamPartInput& part) {
+std::pmr::vector<double>& pointsOf(FixedPoints& points, const SeamPartInput& part) {
     return points[at(part.piece)][at(part.loop)][at(part.edge)];
 }
 
 /// Adds a fixed point unless one is there already; says whether it did.
-bool addPoint(std::vector<double>& points, double fraction, double edgeLength) {
+bool addPoint(std::pmr::vector<double>& points, double fraction, double edgeLength) {
     const auto above = std::lower_bound(points.begin(), points.end(), fraction);
     const double tolerance = std::max(1e-12, samePlace / std::max(edgeLength, 1e-9));
     if (above != points.end() && *above - fraction <= tolerance) return false;
@@ -34,14 +34,15 @@ bool addPoint(std::vector<double>& points, double fraction, double edgeLength) {
 }
 
 FixedPoints ownPoints(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
-                      const std::vector<CheckedSeam>& seams) {
-    FixedPoints points;
+                      std::span<const CheckedSeam> seams, Arena& arena) {
+    FixedPoints points(&arena);
     for (std::size_t p = 0; p < input.pieces.size(); ++p) {
         auto& loops = points.emplace_back();
         for (int loop = 0; loop < loopCount(input.pieces[p]); ++loop) {
             auto& edges = loops.emplace_back();
             for (std::size_t e = 0; e < loopOf(input.pieces[p], loop).size(); ++e) {
-                auto& own = edges.emplace_back(std::vector<double>{0, 1});
+                auto& own = edges.emplace_back();
+                own.assign({0, 1});
                 const EdgeArc& arc = boundaries[p].loops[at(loop)].edges[e];
                 if (arc.collapsed) continue;
                 for (const double notch : loopOf(input.pieces[p], loop)[e].notches) addPoint(own, notch, arc.length);
@@ -58,9 +59,10 @@ FixedPoints ownPoints(const MeshInput& input, const std::vector<PieceBoundary>& 
 }
 
 /// The fixed points of a part in walking order, as fractions of its edge; both ends included.
-std::vector<double> pointsAlong(const std::vector<double>& points, const ChainPart& part, double edgeLength) {
+std::pmr::vector<double> pointsAlong(std::span<const double> points, const ChainPart& part, double edgeLength,
+                                     Arena& arena) {
     const double tolerance = samePlace / edgeLength;
-    std::vector<double> along;
+    std::pmr::vector<double> along(&arena);
     for (const double fraction : points)
         if (fraction >= part.part.from - tolerance && fraction <= part.part.to + tolerance) along.push_back(fraction);
     if (part.part.reversed) std::reverse(along.begin(), along.end());
@@ -68,12 +70,13 @@ std::vector<double> pointsAlong(const std::vector<double>& points, const ChainPa
 }
 
 /// Carries the fixed points of one side of a seam to the other; says whether anything was new.
-bool carryAcross(const CheckedSeam& seam, int side, const std::vector<PieceBoundary>& boundaries, FixedPoints& points) {
+bool carryAcross(const CheckedSeam& seam, int side, const std::vector<PieceBoundary>& boundaries, Arena& arena,
+                 FixedPoints& points) {
     bool added = false;
     const SeamChain& other = seam.sides[at(1 - side)];
     for (const ChainPart& part : seam.sides[at(side)].parts) {
         const double edgeLength = arcOf(boundaries, part.part.piece, part.part.loop, part.part.edge).length;
-        for (const double fraction : pointsAlong(pointsOf(points, part.part), part, edgeLength)) {
+        for (const double fraction : pointsAlong(pointsOf(points, part.part), part, edgeLength, arena)) {
             const double chain =
                 seam.across(side, std::clamp(part.chainOf(fraction), part.start, part.start + part.length));
             for (const ChainPart& target : other.parts) {
@@ -88,13 +91,12 @@ bool carryAcross(const CheckedSeam& seam, int side, const std::vector<PieceBound
 
 /// Gives free straight edges the line places of their piece, so that lines from the edges they face meet
 /// their nodes.
-void carryAcrossPiece(const PieceInput& piece, const PieceBoundary& boundary,
-                      const std::vector<std::vector<char>>& sewn,
-                      std::vector<std::vector<std::vector<double>>>& points) {
-    const GrainStretches stretches = grainStretches(piece, boundary, points);
+void carryAcrossPiece(const PieceInput& piece, const PieceBoundary& boundary, const SewnEdges& sewn, Arena& arena,
+                      PiecePoints& points) {
+    const GrainStretches stretches = grainStretches(piece, boundary, points, arena);
     for (const int axis : {0, 1}) {
-        const std::vector<double> places = linePlaces(piece, boundary.frame, axis, stretches[at(axis)]);
-        for (const GrainSpan& span : grainSpans(piece, boundary, axis)) {
+        const auto places = linePlaces(piece, boundary.frame, axis, stretches[at(axis)], arena);
+        for (const GrainSpan& span : grainSpans(piece, boundary, axis, arena)) {
             if (sewn[at(span.loop)][at(span.edge)]) continue;
             for (const double place : places)
                 if (place > span.low() && place < span.high())
@@ -105,10 +107,9 @@ void carryAcrossPiece(const PieceInput& piece, const PieceBoundary& boundary,
 
 /// The paper has a node wherever a scan line meets the border; edges that are sewn are divided evenly
 /// instead.
-void addLineCrossings(const PieceInput& piece, const PieceBoundary& boundary,
-                      const std::vector<std::vector<char>>& sewn,
-                      std::vector<std::vector<std::vector<double>>>& points) {
-    const auto crossings = lineCrossings(piece, boundary);
+void addLineCrossings(const PieceInput& piece, const PieceBoundary& boundary, const SewnEdges& sewn, Arena& arena,
+                      PiecePoints& points) {
+    const auto crossings = lineCrossings(piece, boundary, arena);
     for (std::size_t loop = 0; loop < points.size(); ++loop)
         for (std::size_t e = 0; e < points[loop].size(); ++e)
             for (const double fraction : crossings[loop][e])
@@ -117,9 +118,8 @@ void addLineCrossings(const PieceInput& piece, const PieceBoundary& boundary,
 
 } // namespace
 
-std::vector<std::vector<char>> sewnEdges(const PieceInput& piece, int pieceIndex,
-                                         const std::vector<CheckedSeam>& seams) {
-    std::vector<std::vector<char>> sewn;
+SewnEdges sewnEdges(const PieceInput& piece, int pieceIndex, std::span<const CheckedSeam> seams, Arena& arena) {
+    SewnEdges sewn(&arena);
     for (int loop = 0; loop < loopCount(piece); ++loop) sewn.emplace_back(loopOf(piece, loop).size(), char{0});
     for (const CheckedSeam& seam : seams)
         for (const SeamChain& side : seam.sides)
@@ -129,14 +129,14 @@ std::vector<std::vector<char>> sewnEdges(const PieceInput& piece, int pieceIndex
 }
 
 Result<FixedPoints> fixedPoints(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
-                                const std::vector<CheckedSeam>& seams) {
-    FixedPoints points = ownPoints(input, boundaries, seams);
+                                std::span<const CheckedSeam> seams, Arena& arena) {
+    FixedPoints points = ownPoints(input, boundaries, seams, arena);
     bool changed = true;
     for (int round = 0; changed; ++round) {
         changed = false;
         for (std::size_t s = 0; s < seams.size(); ++s) {
-            const bool added =
-                carryAcross(seams[s], 0, boundaries, points) | carryAcross(seams[s], 1, boundaries, points);
+            const bool added = carryAcross(seams[s], 0, boundaries, arena, points) |
+                               carryAcross(seams[s], 1, boundaries, arena, points);
             if (added && round >= mostRounds)
                 return fail(ErrorCode::invalidInput,
                             "The seam carries its own points on and on along the same edges; seams that "
@@ -147,9 +147,9 @@ Result<FixedPoints> fixedPoints(const MeshInput& input, const std::vector<PieceB
     }
     for (std::size_t p = 0; p < input.pieces.size(); ++p) {
         const PieceInput& piece = input.pieces[p];
-        const std::vector<std::vector<char>> sewn = sewnEdges(piece, static_cast<int>(p), seams);
-        if (piece.rule == LineRule::regular) carryAcrossPiece(piece, boundaries[p], sewn, points[p]);
-        if (piece.rule == LineRule::paper) addLineCrossings(piece, boundaries[p], sewn, points[p]);
+        const SewnEdges sewn = sewnEdges(piece, static_cast<int>(p), seams, arena);
+        if (piece.rule == LineRule::regular) carryAcrossPiece(piece, boundaries[p], sewn, arena, points[p]);
+        if (piece.rule == LineRule::paper) addLineCrossings(piece, boundaries[p], sewn, arena, points[p]);
     }
     return points;
 }

@@ -4,6 +4,7 @@
 #include "core/meshing/PieceBoundary.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace toile::meshing {
@@ -29,7 +30,11 @@ struct GrainSpan {
 };
 
 /// The spans of a piece that are no shorter than its spacing.
-[[nodiscard]] std::vector<GrainSpan> grainSpans(const PieceInput& piece, const PieceBoundary& boundary, int axis);
+[[nodiscard]] std::pmr::vector<GrainSpan> grainSpans(const PieceInput& piece, const PieceBoundary& boundary, int axis,
+                                                     Arena& arena);
+
+/// Where nodes must lie on the border of a piece: [loop][edge], rising fractions of arc length from 0 to 1.
+using PiecePoints = std::pmr::vector<std::pmr::vector<std::pmr::vector<double>>>;
 
 /// A stretch of a span between fixed points, divided into equal parts.
 struct GrainStretch {
@@ -39,12 +44,12 @@ struct GrainStretch {
 };
 
 /// By axis.
-using GrainStretches = std::array<std::vector<GrainStretch>, 2>;
+using GrainStretches = std::array<std::pmr::vector<GrainStretch>, 2>;
 
 /// The stretches of a piece's spans that its fixed points, by [loop][edge], make; as many parts as the
 /// spacing asks for.
 [[nodiscard]] GrainStretches grainStretches(const PieceInput& piece, const PieceBoundary& boundary,
-                                            const std::vector<std::vector<std::vector<double>>>& fixedPoints);
+                                            const PiecePoints& fixedPoints, Arena& arena);
 
 /// How many times the lines that the spacing asks for a stretch may have [–]: twice in a band, whose cells
 /// are few.
@@ -58,11 +63,12 @@ struct LineWish {
 
 /// Coordinates of the grain-parallel straight edges that run along the lines of an axis, with their lengths;
 /// equal ones are joined, the longest first.
-[[nodiscard]] std::vector<LineWish> grainLines(const PieceInput& piece, const PieceFrame& frame, int axis);
+[[nodiscard]] std::pmr::vector<LineWish> grainLines(const PieceInput& piece, const PieceFrame& frame, int axis,
+                                                    Arena& arena);
 
 /// Where main lines of an axis are asked for, by the ends of stretches and the edges along the lines; rising.
 /// Of two places nearer than half the spacing, that of more border stays.
-[[nodiscard]] std::vector<double> linePlaces(const PieceInput& piece, const PieceFrame& frame, int axis,
-                                             const std::vector<GrainStretch>& stretches);
+[[nodiscard]] std::pmr::vector<double> linePlaces(const PieceInput& piece, const PieceFrame& frame, int axis,
+                                                  std::span<const GrainStretch> stretches, Arena& arena);
 
 } // namespace toile::meshing

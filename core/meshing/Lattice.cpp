@@ -6,8 +6,12 @@
 
 namespace toile::meshing {
 
-Lattice::Lattice(std::vector<double> mainX, std::vector<double> mainY) : x_(std::move(mainX)), y_(std::move(mainY)) {
+void Lattice::lay(std::span<const double> mainX, std::span<const double> mainY) {
+    x_.assign(mainX.begin(), mainX.end());
+    y_.assign(mainY.begin(), mainY.end());
     active.assign(size(columns()) * size(rows()), 0);
+    division.clear();
+    region.clear();
 }
 
 void Lattice::makeDivisible() {

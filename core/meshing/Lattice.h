@@ -5,6 +5,7 @@
 #include "core/meshing/PieceFrame.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace toile::meshing {
@@ -16,8 +17,8 @@ namespace toile::meshing {
 /// interiors; nodeAt() numbers them.
 class Lattice {
 public:
-    Lattice() = default;
-    Lattice(std::vector<double> mainX, std::vector<double> mainY);
+    /// Lays main lines anew: no cell is active, divided or of a region.
+    void lay(std::span<const double> mainX, std::span<const double> mainY);
 
     [[nodiscard]] int columns() const { return static_cast<int>(x_.size()) - 1; }
     [[nodiscard]] int rows() const { return static_cast<int>(y_.size()) - 1; }

@@ -9,8 +9,10 @@
 namespace toile::meshing {
 namespace {
 
+using Lines = std::pmr::vector<double>; ///< rising coordinates
+
 /// The second longest line that is far enough away for whole intervals to suit the spacing.
-std::optional<double> partnerOf(const std::vector<LineWish>& lines, double extent, double spacing) {
+std::optional<double> partnerOf(std::span<const LineWish> lines, double extent, double spacing) {
     for (std::size_t i = 1; i < lines.size(); ++i) {
         const double distance = std::abs(lines[i].at - lines[0].at);
         if (distance >= 3 * spacing || distance >= 0.99 * extent) return lines[i].at;
@@ -25,19 +27,19 @@ struct LineSettings {
 };
 
 /// Equal intervals that cover low … high and one more on each side, with a line at `anchor`.
-std::vector<double> evenLines(double anchor, double interval, double low, double high) {
+Lines evenLines(double anchor, double interval, double low, double high, Arena& arena) {
     const int first = static_cast<int>(std::floor((low - anchor) / interval - 1e-6)) - 1;
     const int last = static_cast<int>(std::ceil((high - anchor) / interval + 1e-6)) + 1;
-    std::vector<double> lines;
+    Lines lines(&arena);
     lines.reserve(static_cast<std::size_t>(std::max(0, last - first + 1)));
     for (int k = first; k <= last; ++k) lines.push_back(anchor + k * interval);
     return lines;
 }
 
 /// Lines at `places` and in equal parts between them, as the nodes of stretches lie; on beyond both ends.
-std::vector<double> linesThroughNodes(const std::vector<double>& places, const std::vector<GrainStretch>& stretches,
-                                      double low, double high, const LineSettings& settings) {
-    std::vector<double> inner;
+Lines linesThroughNodes(std::span<const double> places, std::span<const GrainStretch> stretches, double low,
+                        double high, const LineSettings& settings, Arena& arena) {
+    Lines inner(&arena);
     const double most = settings.mostParts * ((places.back() - places.front()) / settings.spacing + 1);
     inner.reserve(static_cast<std::size_t>(most) + 2 * places.size());
     double firstGap = settings.spacing, lastGap = settings.spacing;
@@ -54,9 +56,9 @@ std::vector<double> linesThroughNodes(const std::vector<double>& places, const s
         lastGap = gap / parts;
         if (i == 0) firstGap = lastGap;
     }
-    std::vector<double> lines = evenLines(places.front(), firstGap, low, places.front());
+    Lines lines = evenLines(places.front(), firstGap, low, places.front(), arena);
     std::erase_if(lines, [&](double line) { return line > places.front() - 0.5 * firstGap; });
-    const std::vector<double> beyond = evenLines(places.back(), lastGap, places.back(), high);
+    const Lines beyond = evenLines(places.back(), lastGap, places.back(), high, arena);
     lines.reserve(lines.size() + inner.size() + beyond.size());
     lines.insert(lines.end(), inner.begin(), inner.end());
     for (const double line : beyond)
@@ -65,13 +67,13 @@ std::vector<double> linesThroughNodes(const std::vector<double>& places, const s
 }
 
 /// The index of the line at a coordinate, or −1.
-std::ptrdiff_t lineAt(const std::vector<double>& lines, double at, double tolerance) {
+std::ptrdiff_t lineAt(std::span<const double> lines, double at, double tolerance) {
     const auto found = std::lower_bound(lines.begin(), lines.end(), at - tolerance);
     return found != lines.end() && *found <= at + tolerance ? found - lines.begin() : -1;
 }
 
 /// Every node of the stretch lies on a line, and every line that crosses it meets a node.
-bool carries(const std::vector<double>& lines, const GrainStretch& stretch, double tolerance) {
+bool carries(std::span<const double> lines, const GrainStretch& stretch, double tolerance) {
     const std::ptrdiff_t first = lineAt(lines, stretch.low, tolerance), last = lineAt(lines, stretch.high, tolerance);
     if (first < 0 || last - first != stretch.parts) return false;
     for (std::ptrdiff_t k = 1; k < stretch.parts; ++k) {
@@ -83,8 +85,8 @@ bool carries(const std::vector<double>& lines, const GrainStretch& stretch, doub
 
 /// Metres of border whose nodes such lines would carry: edges along the lines, and edges across them that are
 /// divided where the lines cross.
-double carried(const std::vector<double>& lines, const std::vector<LineWish>& straight,
-               const std::vector<GrainStretch>& stretches, double tolerance) {
+double carried(std::span<const double> lines, std::span<const LineWish> straight,
+               std::span<const GrainStretch> stretches, double tolerance) {
     double length = 0;
     for (const LineWish& line : straight)
         if (lineAt(lines, line.at, tolerance) >= 0) length += line.weight;
@@ -96,14 +98,15 @@ double carried(const std::vector<double>& lines, const std::vector<LineWish>& st
 /// Even lines at h = W/⌈W/ε⌉ with lines on the two longest grain-parallel edges, or at the nodes of a stretch
 /// across; or lines through the fixed points of all stretches, in equal parts between them: whichever carries
 /// most of the border, even lines first. Without straight edges they are laid symmetrically.
-std::vector<double> regularLines(const std::vector<LineWish>& straight, const std::vector<GrainStretch>& stretches,
-                                 const std::vector<double>& places, double low, double high,
-                                 const LineSettings& settings) {
+Lines regularLines(std::span<const LineWish> straight, std::span<const GrainStretch> stretches,
+                   std::span<const double> places, double low, double high, const LineSettings& settings,
+                   Arena& arena) {
     constexpr std::size_t enough = 40; // candidates; a comb has as many stretches as teeth
     const double spacing = settings.spacing;
-    std::vector<std::vector<double>> candidates;
+    std::pmr::vector<Lines> candidates(&arena);
+    candidates.reserve(enough + 1);
     const auto addEven = [&](double anchor, double interval) {
-        if (candidates.size() < enough) candidates.push_back(evenLines(anchor, interval, low, high));
+        if (candidates.size() < enough) candidates.push_back(evenLines(anchor, interval, low, high, arena));
     };
     if (!straight.empty()) {
         if (const auto partner = partnerOf(straight, high - low, spacing)) {
@@ -114,7 +117,7 @@ std::vector<double> regularLines(const std::vector<LineWish>& straight, const st
     }
     for (const GrainStretch& stretch : stretches)
         addEven(stretch.low, (stretch.high - stretch.low) / partsOf(stretch.high - stretch.low, spacing));
-    if (places.size() > 1) candidates.push_back(linesThroughNodes(places, stretches, low, high, settings));
+    if (places.size() > 1) candidates.push_back(linesThroughNodes(places, stretches, low, high, settings, arena));
     if (candidates.empty()) {
         const bool even = partsOf(high - low, spacing) % 2 == 0;
         addEven(0.5 * (low + high) - (even ? 0 : 0.5 * spacing), spacing);
@@ -127,7 +130,7 @@ std::vector<double> regularLines(const std::vector<LineWish>& straight, const st
         most = length;
         best = i;
     }
-    std::vector<double> lines = std::move(candidates[best]);
+    Lines lines = std::move(candidates[best]);
     for (const LineWish& edge : straight) // an edge's own coordinate, free of rounding
         if (const auto line = lineAt(lines, edge.at, 0.25 * settings.tolerance); line >= 0)
             lines[static_cast<std::size_t>(line)] = edge.at;
@@ -142,15 +145,15 @@ struct Wish {
 
 /// Lines at the wishes, in equal parts between them; wishes nearer than `merge` to a stronger one are
 /// dropped.
-std::vector<double> linesThrough(std::vector<Wish> wishes, double merge, double spacing, double low, double high) {
+Lines linesThrough(std::pmr::vector<Wish> wishes, double merge, double spacing, double low, double high, Arena& arena) {
     std::sort(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) { return a.at < b.at; });
-    std::vector<Wish> kept;
+    std::pmr::vector<Wish> kept(&arena);
     for (const Wish& wish : wishes) {
         if (kept.empty() || wish.at - kept.back().at >= merge) kept.push_back(wish);
         else if (wish.weight > kept.back().weight) kept.back() = wish;
     }
-    if (kept.empty()) return evenLines(low, spacing, low, high);
-    std::vector<double> lines = evenLines(kept.front().at, spacing, low, kept.front().at);
+    if (kept.empty()) return evenLines(low, spacing, low, high, arena);
+    Lines lines = evenLines(kept.front().at, spacing, low, kept.front().at, arena);
     std::erase_if(lines, [&](double line) { return line > kept.front().at - 0.5 * spacing; });
     for (std::size_t i = 0; i + 1 < kept.size(); ++i) {
         const double gap = kept[i + 1].at - kept[i].at;
@@ -163,7 +166,7 @@ std::vector<double> linesThrough(std::vector<Wish> wishes, double merge, double 
 }
 
 /// The grain-parallel straight parts of the painted borders; short ones are brush strokes, not borders.
-void addRegionLines(const PieceInput& piece, const PieceFrame& frame, int axis, std::vector<Wish>& wishes) {
+void addRegionLines(const PieceInput& piece, const PieceFrame& frame, int axis, std::pmr::vector<Wish>& wishes) {
     const auto addPolygon = [&](const Polygon& polygon) {
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const Vec2 a = frame.frameOf(polygon[i]), b = frame.frameOf(polygon[(i + 1) % polygon.size()]);
@@ -178,18 +181,18 @@ void addRegionLines(const PieceInput& piece, const PieceFrame& frame, int axis, 
     }
 }
 
-std::vector<double> exactBorderLines(const std::vector<LineWish>& straight, std::vector<Wish> wishes, double low,
-                                     double high, double spacing) {
+Lines exactBorderLines(std::span<const LineWish> straight, std::pmr::vector<Wish> wishes, double low, double high,
+                       double spacing, Arena& arena) {
     if (!straight.empty()) {
         wishes.push_back({straight.front().at, 3});
         if (const auto partner = partnerOf(straight, high - low, spacing)) wishes.push_back({*partner, 3});
     }
-    return linesThrough(std::move(wishes), spacing / 4, spacing, low, high);
+    return linesThrough(std::move(wishes), spacing / 4, spacing, low, high, arena);
 }
 
 /// Corners that turn by more than 15°, notches and seam ends; region corners.
-void addFeatures(const PieceInput& piece, const PieceBoundary& boundary, const std::vector<Vec2>& seamEnds, int axis,
-                 std::vector<Wish>& wishes) {
+void addFeatures(const PieceInput& piece, const PieceBoundary& boundary, std::span<const Vec2> seamEnds, int axis,
+                 std::pmr::vector<Wish>& wishes) {
     const double sharp = std::cos(15 * std::numbers::pi / 180);
     for (int loop = 0; loop < loopCount(piece); ++loop) {
         const BoundaryLoop& edges = loopOf(piece, loop);
@@ -210,39 +213,39 @@ void addFeatures(const PieceInput& piece, const PieceBoundary& boundary, const s
         for (const Vec2 corner : region.outline) wishes.push_back({along(boundary.frame.frameOf(corner), axis), 1});
 }
 
-void addAuthoredVertices(const PieceInput& piece, const PieceFrame& frame, int axis, std::vector<Wish>& wishes) {
+void addAuthoredVertices(const PieceInput& piece, const PieceFrame& frame, int axis, std::pmr::vector<Wish>& wishes) {
     for (int loop = 0; loop < loopCount(piece); ++loop)
         for (const BoundaryEdge& edge : loopOf(piece, loop))
             wishes.push_back({along(frame.frameOf(edge.curve.start), axis), 1});
 }
 
-std::vector<double> linesOfAxis(const PieceInput& piece, const PieceBoundary& boundary,
-                                const std::vector<Vec2>& seamEnds, const GrainStretches& stretches, int axis) {
+Lines linesOfAxis(const PieceInput& piece, const PieceBoundary& boundary, std::span<const Vec2> seamEnds,
+                  const GrainStretches& stretches, int axis, Arena& arena) {
     const double low = along(boundary.box.low, axis), high = along(boundary.box.high, axis), spacing = piece.spacing;
-    std::vector<Wish> wishes;
+    std::pmr::vector<Wish> wishes(&arena);
     if (piece.rule == LineRule::paper) {
         addAuthoredVertices(piece, boundary.frame, axis, wishes);
         const double least =
             std::max(16 * boundary.frame.unit, 1e-5 * spacing); // lines no nearer than the grid can tell
-        return linesThrough(std::move(wishes), least, spacing, low, high);
+        return linesThrough(std::move(wishes), least, spacing, low, high, arena);
     }
-    const std::vector<LineWish> straight = grainLines(piece, boundary.frame, axis);
+    const std::pmr::vector<LineWish> straight = grainLines(piece, boundary.frame, axis, arena);
     if (piece.border == RegionBorder::exact) addRegionLines(piece, boundary.frame, axis, wishes);
     if (piece.rule == LineRule::features) {
         addFeatures(piece, boundary, seamEnds, axis, wishes);
-        return linesThrough(std::move(wishes), spacing / 4, spacing, low, high);
+        return linesThrough(std::move(wishes), spacing / 4, spacing, low, high, arena);
     }
     if (wishes.empty()) { // the rule `regular`
         const auto& own = stretches[static_cast<std::size_t>(axis)];
         const double across = along(boundary.box.high - boundary.box.low, 1 - axis);
-        return regularLines(straight, own, linePlaces(piece, boundary.frame, axis, own), low, high,
-                            {spacing, 2 * boundary.frame.unit, mostPartsAcross(across, spacing)});
+        return regularLines(straight, own, linePlaces(piece, boundary.frame, axis, own, arena), low, high,
+                            {spacing, 2 * boundary.frame.unit, mostPartsAcross(across, spacing)}, arena);
     }
-    return exactBorderLines(straight, std::move(wishes), low, high, spacing);
+    return exactBorderLines(straight, std::move(wishes), low, high, spacing, arena);
 }
 
 /// Draws lines far outside the piece near, so that the integer grid holds them.
-std::vector<double> within(std::vector<double> lines, double low, double high, double reach) {
+Lines within(Lines lines, double low, double high, double reach) {
     for (double& line : lines) line = std::clamp(line, low - reach, high + reach);
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
     return lines;
@@ -250,12 +253,12 @@ std::vector<double> within(std::vector<double> lines, double low, double high, d
 
 } // namespace
 
-MainLines mainLines(const PieceInput& piece, const PieceBoundary& boundary, const std::vector<Vec2>& seamEnds,
-                    const GrainStretches& stretches) {
+MainLines mainLines(const PieceInput& piece, const PieceBoundary& boundary, std::span<const Vec2> seamEnds,
+                    const GrainStretches& stretches, Arena& arena) {
     const geometry::Box2& box = boundary.box;
     const double reach = distance(box.low, box.high);
-    return {within(linesOfAxis(piece, boundary, seamEnds, stretches, 0), box.low.x, box.high.x, reach),
-            within(linesOfAxis(piece, boundary, seamEnds, stretches, 1), box.low.y, box.high.y, reach)};
+    return {within(linesOfAxis(piece, boundary, seamEnds, stretches, 0, arena), box.low.x, box.high.x, reach),
+            within(linesOfAxis(piece, boundary, seamEnds, stretches, 1, arena), box.low.y, box.high.y, reach)};
 }
 
 } // namespace toile::meshing

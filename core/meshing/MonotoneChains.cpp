@@ -35,8 +35,8 @@ private:
 
 } // namespace
 
-std::vector<MonotoneChain> monotoneChains(std::span<const RingSegment> segments) {
-    std::vector<MonotoneChain> chains;
+std::pmr::vector<MonotoneChain> monotoneChains(std::span<const RingSegment> segments, Arena& arena) {
+    std::pmr::vector<MonotoneChain> chains(&arena);
     int x = 0, y = 0; // the way the chain in hand goes; 0 = either
     for (int i = 0; i < static_cast<int>(segments.size()); ++i) {
         const RingSegment& segment = segments[static_cast<std::size_t>(i)];
@@ -56,8 +56,8 @@ std::vector<MonotoneChain> monotoneChains(std::span<const RingSegment> segments)
     return chains;
 }
 
-std::optional<bool> chainsCross(std::span<const RingSegment> segments) {
-    const std::vector<MonotoneChain> chains = monotoneChains(segments);
+std::optional<bool> chainsCross(std::span<const RingSegment> segments, Arena& arena) {
+    const auto chains = monotoneChains(segments, arena);
     if (chains.size() > mostChains) return std::nullopt;
     const Search search(segments);
     for (std::size_t i = 0; i < chains.size(); ++i)

@@ -13,10 +13,10 @@ struct MonotoneChain {
 
 /// Rings of garment pieces consist of few such chains, and those of few places where boxes meet: some ten instructions
 /// for each segment say that none cross.
-[[nodiscard]] std::vector<MonotoneChain> monotoneChains(std::span<const RingSegment> segments);
+[[nodiscard]] std::pmr::vector<MonotoneChain> monotoneChains(std::span<const RingSegment> segments, Arena& arena);
 
 /// Some two segments meet elsewhere than at the common corner of neighbours. Empty where there are so many chains that
 /// another search is faster.
-[[nodiscard]] std::optional<bool> chainsCross(std::span<const RingSegment> segments);
+[[nodiscard]] std::optional<bool> chainsCross(std::span<const RingSegment> segments, Arena& arena);
 
 } // namespace toile::meshing

@@ -18,8 +18,8 @@ constexpr double largestCellCount = 1e7;
 
 /// A flattened contour and the edge each of its segments comes from.
 struct Contour {
-    std::vector<GridPoint> points;
-    std::vector<int> edges;
+    std::pmr::vector<GridPoint> points;
+    std::pmr::vector<int> edges;
 };
 
 tl::unexpected<Error> refuse(const std::string& object, const std::string& sentence) {
@@ -87,10 +87,10 @@ double chordErrorOf(const PieceInput& piece) {
 }
 
 /// Straight edges a–b–a bear no cloth: both go.
-void dropSpikes(const PieceInput& piece, int loop, const PieceFrame& frame, LoopBoundary& boundary) {
+void dropSpikes(const PieceInput& piece, int loop, const PieceFrame& frame, Arena& arena, LoopBoundary& boundary) {
     const BoundaryLoop& edges = loopOf(piece, loop);
     const auto gridOf = [&](Vec2 p) { return frame.gridOf(frame.frameOf(p)); };
-    std::vector<std::size_t> kept;
+    std::pmr::vector<std::size_t> kept(&arena);
     const auto isReturn = [&](std::size_t first, std::size_t second) {
         const Curve &there = edges[first].curve, &back = edges[second].curve;
         return std::holds_alternative<geometry::LineShape>(there.shape) &&
@@ -113,14 +113,16 @@ void dropSpikes(const PieceInput& piece, int loop, const PieceFrame& frame, Loop
     }
 }
 
-Contour flattenedContour(const PieceInput& piece, int loop, const PieceFrame& frame, const LoopBoundary& boundary) {
-    Contour contour;
+Contour flattenedContour(const PieceInput& piece, int loop, const PieceFrame& frame, const LoopBoundary& boundary,
+                         Arena& arena) {
+    Contour contour{std::pmr::vector<GridPoint>(&arena), std::pmr::vector<int>(&arena)};
     const BoundaryLoop& edges = loopOf(piece, loop);
     for (std::size_t e = 0; e < edges.size(); ++e) {
         if (boundary.edges[e].collapsed) continue;
-        const std::vector<Vec2> points = geometry::flattened(edges[e].curve, chordErrorOf(piece));
-        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-            const GridPoint p = frame.gridOf(frame.frameOf(points[i]));
+        const int steps = geometry::flatteningSteps(edges[e].curve, chordErrorOf(piece));
+        for (int i = 0; i < steps; ++i) {
+            const Vec2 point = geometry::pointAt(edges[e].curve, static_cast<double>(i) / steps);
+            const GridPoint p = frame.gridOf(frame.frameOf(point));
             if (!contour.points.empty() && contour.points.back() == p) {
                 contour.edges.back() = static_cast<int>(e);
                 continue;
@@ -137,7 +139,7 @@ Contour flattenedContour(const PieceInput& piece, int loop, const PieceFrame& fr
 }
 
 /// Twice the signed area in units², in double: good to its rounding, exact zero for collinear points.
-double doubledArea(const std::vector<GridPoint>& ring) {
+double doubledArea(std::span<const GridPoint> ring) {
     WideInt sum = 0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += orientation(ring[0], ring[i], ring[i + 1]);
     return static_cast<double>(sum);
@@ -163,17 +165,15 @@ Vec2 meetingPoint(const PieceFrame& frame, const RingSegment& s, const RingSegme
     return frame.pointFromFrame(point * frame.unit);
 }
 
-std::optional<Error> crossingError(const PieceInput& piece, const PieceFrame& frame,
-                                   const std::vector<Contour>& contours) {
-    std::vector<RingSegment> segments;
+std::optional<Error> crossingError(const PieceInput& piece, const PieceFrame& frame, std::span<const Contour> contours,
+                                   Arena& arena) {
+    std::pmr::vector<RingSegment> segments(&arena);
     for (std::size_t loop = 0; loop < contours.size(); ++loop) {
-        const Contour& c = contours[loop];
-        const int n = static_cast<int>(c.points.size());
-        for (int i = 0; i < n; ++i)
-            segments.push_back({c.points[static_cast<std::size_t>(i)], c.points[static_cast<std::size_t>((i + 1) % n)],
-                                static_cast<int>(loop), i, n, c.edges[static_cast<std::size_t>(i)]});
+        const std::size_t first = segments.size();
+        appendSegments(contours[loop].points, static_cast<int>(loop), segments);
+        for (std::size_t i = first; i < segments.size(); ++i) segments[i].edge = contours[loop].edges[i - first];
     }
-    const auto pair = firstCrossing(segments);
+    const auto pair = firstCrossing(segments, arena);
     if (!pair) return std::nullopt;
     const RingSegment &s = segments[static_cast<std::size_t>(pair->first)],
                       &t = segments[static_cast<std::size_t>(pair->second)];
@@ -185,17 +185,16 @@ std::optional<Error> crossingError(const PieceInput& piece, const PieceFrame& fr
                  {.object = nameOf(piece, s.ring, s.edge)}};
 }
 
-std::optional<Error> nestingError(const PieceInput& piece, const std::vector<Contour>& contours) {
+std::optional<Error> nestingError(const PieceInput& piece, std::span<const Contour> contours) {
     for (std::size_t h = 1; h < contours.size(); ++h) {
         const GridPoint corner = contours[h].points.front();
-        const std::string hole = "Hole " + std::to_string(h);
-        const auto error = [&](const std::string& text) {
-            return Error{ErrorCode::invalidInput, text, {.object = nameOf(piece)}};
+        const auto error = [&](const std::string& lies) {
+            return Error{ErrorCode::invalidInput, "Hole " + std::to_string(h) + lies, {.object = nameOf(piece)}};
         };
-        if (!isInside(contours[0].points, corner)) return error(hole + " lies outside the piece.");
+        if (!isInside(contours[0].points, corner)) return error(" lies outside the piece.");
         for (std::size_t other = 1; other < contours.size(); ++other)
             if (other != h && isInside(contours[other].points, corner))
-                return error(hole + " lies inside hole " + std::to_string(other) + ".");
+                return error(" lies inside hole " + std::to_string(other) + ".");
     }
     return std::nullopt;
 }
@@ -264,29 +263,24 @@ namespace {
 
 void measureEdges(const PieceInput& piece, PieceBoundary& boundary) {
     const auto gridOf = [&](Vec2 p) { return boundary.frame.gridOf(boundary.frame.frameOf(p)); };
+    boundary.loops.resize(static_cast<std::size_t>(loopCount(piece)));
     for (int loop = 0; loop < loopCount(piece); ++loop) {
-        LoopBoundary& edges = boundary.loops.emplace_back();
+        LoopBoundary& edges = boundary.loops[static_cast<std::size_t>(loop)];
+        edges.edges.clear();
         for (const BoundaryEdge& edge : loopOf(piece, loop)) {
             EdgeArc arc{geometry::ArcLength(edge.curve), 0, false};
             arc.length = arc.arc.total();
             arc.collapsed = gridOf(edge.curve.start) == gridOf(edge.curve.end) && arc.length < 2 * boundary.frame.unit;
-            edges.edges.push_back(std::move(arc));
+            edges.edges.push_back(arc);
         }
     }
 }
 
-geometry::Box2 boxInFrame(const PieceFrame& frame, const std::vector<Vec2>& points) {
-    std::vector<Vec2> inFrame;
-    inFrame.reserve(points.size());
-    for (const Vec2 p : points) inFrame.push_back(frame.frameOf(p));
-    return geometry::boundsOf(inFrame);
-}
-
 } // namespace
 
-Result<PieceBoundary> checkedBoundary(const PieceInput& piece) {
+Result<void> checkBoundary(const PieceInput& piece, Arena& arena, PieceBoundary& boundary) {
     if (auto error = settingError(piece)) return tl::unexpected(*error);
-    std::vector<Vec2> outlinePoints;
+    std::pmr::vector<Vec2> outlinePoints(&arena);
     for (int loop = 0; loop < loopCount(piece); ++loop) {
         if (auto error = edgeError(piece, loop)) return tl::unexpected(*error);
         for (const BoundaryEdge& edge : loopOf(piece, loop)) {
@@ -295,7 +289,6 @@ Result<PieceBoundary> checkedBoundary(const PieceInput& piece) {
                 for (int k = 1; k < 32; ++k) outlinePoints.push_back(geometry::pointAt(edge.curve, k / 32.0));
         }
     }
-    PieceBoundary boundary;
     const geometry::Box2 reach = geometry::boundsOf(outlinePoints);
     const double margin = 1.1 * distance(reach.low, reach.high);
     boundary.frame = frameFor(piece.grain, piece.mirrored, outlinePoints, margin);
@@ -305,32 +298,35 @@ Result<PieceBoundary> checkedBoundary(const PieceInput& piece) {
     boundary.area = std::abs(exactArea(piece)); // good enough to refuse by, before anything is flattened
     if (auto error = sizeError(piece, boundary)) return tl::unexpected(*error);
 
-    std::vector<Contour> contours;
+    std::pmr::vector<Contour> contours(&arena);
     double area = 0;
     for (int loop = 0; loop < loopCount(piece); ++loop) {
         LoopBoundary& edges = boundary.loops[static_cast<std::size_t>(loop)];
-        dropSpikes(piece, loop, boundary.frame, edges);
-        Contour contour = flattenedContour(piece, loop, boundary.frame, edges);
-        const std::string object = loop == 0 ? nameOf(piece) : nameOf(piece) + ", hole " + std::to_string(loop);
-        if (contour.points.size() < 3) return refuse(object, "A border needs at least three different points.");
+        dropSpikes(piece, loop, boundary.frame, arena, edges);
+        Contour contour = flattenedContour(piece, loop, boundary.frame, edges, arena);
+        if (contour.points.size() < 3)
+            return refuse(loop == 0 ? nameOf(piece) : nameOf(piece) + ", hole " + std::to_string(loop),
+                          "A border needs at least three different points.");
         const double doubled = doubledArea(contour.points);
         edges.backwards = loop == 0 ? doubled < 0 : doubled > 0;
         if (edges.backwards) turnRound(contour);
         area += std::abs(doubled) * (loop == 0 ? 0.5 : -0.5);
         contours.push_back(std::move(contour));
     }
-    if (auto error = crossingError(piece, boundary.frame, contours)) return tl::unexpected(*error);
+    if (auto error = crossingError(piece, boundary.frame, contours, arena)) return tl::unexpected(*error);
     for (std::size_t loop = 0; loop < contours.size(); ++loop)
         if (doubledArea(contours[loop].points) == 0) return refuse(nameOf(piece), "The piece has no area.");
     if (auto error = nestingError(piece, contours)) return tl::unexpected(*error);
     boundary.area = area * boundary.frame.unit * boundary.frame.unit;
     if (auto error = sizeError(piece, boundary)) return tl::unexpected(*error);
-    std::vector<Vec2> flat;
+    std::pmr::vector<Vec2> flat(&arena);
     for (const GridPoint p : contours[0].points)
         flat.push_back(Vec2{static_cast<double>(p.x), static_cast<double>(p.y)} * boundary.frame.unit);
     boundary.box = geometry::boundsOf(flat);
-    for (Contour& contour : contours) boundary.contours.push_back(std::move(contour.points));
-    return boundary;
+    boundary.contours.resize(contours.size());
+    for (std::size_t loop = 0; loop < contours.size(); ++loop)
+        boundary.contours[loop].assign(contours[loop].points.begin(), contours[loop].points.end());
+    return {};
 }
 
 } // namespace toile::meshing

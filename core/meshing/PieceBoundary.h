@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Arena.h"
 #include "core/base/Result.h"
 #include "core/meshing/PieceFrame.h"
 
@@ -41,7 +42,7 @@ struct PieceBoundary {
 [[nodiscard]] const BoundaryLoop& loopOf(const PieceInput& piece, int loop);
 [[nodiscard]] int loopCount(const PieceInput& piece);
 
-/// Refuses what is no piece of cloth and lays the integer grid.
-[[nodiscard]] Result<PieceBoundary> checkedBoundary(const PieceInput& piece);
+/// Refuses what is no piece of cloth and lays the integer grid. Overwrites the boundary, even if it refuses.
+[[nodiscard]] Result<void> checkBoundary(const PieceInput& piece, Arena& arena, PieceBoundary& boundary);
 
 } // namespace toile::meshing

@@ -33,12 +33,21 @@ Vec2 PieceFrame::placeOf(GridPoint point) const {
     return Vec2{point.x - phase, point.y - phase} * unit;
 }
 
-PieceFrame frameFor(double grain, bool mirrored, const std::vector<Vec2>& points, double margin) {
+geometry::Box2 boxInFrame(const PieceFrame& frame, std::span<const Vec2> points) {
+    if (points.empty()) return {};
+    const Vec2 first = frame.frameOf(points.front());
+    geometry::Box2 box{first, first};
+    for (const Vec2 point : points) {
+        const Vec2 p = frame.frameOf(point);
+        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+    }
+    return box;
+}
+
+PieceFrame frameFor(double grain, bool mirrored, std::span<const Vec2> points, double margin) {
     PieceFrame frame{grain, std::cos(grain), std::sin(grain), mirrored ? -1.0 : 1.0, {}, 1};
-    std::vector<Vec2> turned;
-    turned.reserve(points.size());
-    for (const Vec2 point : points) turned.push_back(frame.frameOf(point));
-    const geometry::Box2 box = geometry::boundsOf(turned);
+    const geometry::Box2 box = boxInFrame(frame, points);
     frame.centre = (box.low + box.high) * 0.5;
     frame.unit = unitFor(0.5 * std::max(box.high.x - box.low.x, box.high.y - box.low.y) + margin);
     return frame;

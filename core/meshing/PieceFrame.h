@@ -4,6 +4,8 @@
 #include "core/meshing/GridPoint.h"
 #include "core/meshing/MeshInput.h"
 
+#include <span>
+
 namespace toile::meshing {
 
 /// The coordinates in which a piece is meshed: warp = +y, origin at its middle, mirrored if asked [m]; and
@@ -35,6 +37,9 @@ struct PieceFrame {
 };
 
 /// The frame in which all these points, with a margin [m] around them, fit the integer grid.
-[[nodiscard]] PieceFrame frameFor(double grain, bool mirrored, const std::vector<Vec2>& points, double margin);
+[[nodiscard]] PieceFrame frameFor(double grain, bool mirrored, std::span<const Vec2> points, double margin);
+
+/// The box of points, given in the piece's coordinates, in the frame [m].
+[[nodiscard]] geometry::Box2 boxInFrame(const PieceFrame& frame, std::span<const Vec2> points);
 
 } // namespace toile::meshing

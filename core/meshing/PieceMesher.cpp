@@ -50,23 +50,20 @@ void judgeAgainstInput(const PieceInput& piece, const PieceBoundary& boundary, c
 
 } // namespace
 
-Result<Lattice> laidLattice(const PieceInput& piece, const PieceBoundary& boundary, const std::vector<Vec2>& seamEnds,
-                            const GrainStretches& stretches, std::vector<RegionReport>& reports,
-                            std::vector<Warning>& warnings) {
-    MainLines lines = mainLines(piece, boundary, seamEnds, stretches);
-    if (auto fits = affordable(piece, lines.x.size(), lines.y.size()); !fits) return tl::unexpected(fits.error());
-    Lattice lattice(std::move(lines.x), std::move(lines.y));
-    if (piece.regions.empty()) return lattice;
-    IntegerLines integerLines;
-    integerLines.assign(boundary.frame, lattice);
-    BorderSegments segments;
-    segments.assign(boundary.contours, integerLines);
-    markActiveCells(integerLines, segments, lattice);
-    auto regions = snapRegions(piece, boundary, lattice, warnings);
-    if (!regions) return tl::unexpected(regions.error());
-    reports = std::move(*regions);
-    if (auto fits = affordable(piece, lattice); !fits) return tl::unexpected(fits.error());
-    return lattice;
+Result<void> LatticeLayer::run(const PieceInput& piece, const PieceBoundary& boundary, std::span<const Vec2> seamEnds,
+                               const GrainStretches& stretches, Arena& arena, LaidLattice& laid) {
+    laid.warnings.clear();
+    laid.regions.resize(piece.regions.size());
+    const MainLines lines = mainLines(piece, boundary, seamEnds, stretches, arena);
+    if (auto fits = affordable(piece, lines.x.size(), lines.y.size()); !fits) return fits;
+    laid.lattice.lay(lines.x, lines.y);
+    if (piece.regions.empty()) return {};
+    lines_.assign(boundary.frame, laid.lattice);
+    segments_.assign(boundary.contours, lines_);
+    markActiveCells(lines_, segments_, laid.lattice);
+    auto snapped = snapRegions(piece, boundary, arena, laid.lattice, laid.regions, laid.warnings);
+    if (!snapped) return snapped;
+    return affordable(piece, laid.lattice);
 }
 
 Result<void> PieceMesher::run(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes,
@@ -92,14 +89,16 @@ Result<void> PieceMesher::run(const PieceInput& piece, const PieceBoundary& boun
     return everyTriangleHasArea(piece, frame, mesh);
 }
 
-PieceReport pieceReport(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes,
-                        const PieceMesh& mesh, bool judged) {
-    PieceReport report = countsOf(mesh);
+void reportOn(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes, const PieceMesh& mesh,
+              bool judged, PieceReport& report) {
+    PieceReport counts = countsOf(mesh);
+    counts.label = std::move(report.label);
+    counts.regions = std::move(report.regions);
+    report = std::move(counts);
     report.label = piece.label;
-    if (!judged) return report;
+    if (!judged) return;
     judge(mesh, report);
     judgeAgainstInput(piece, boundary, nodes, mesh, report);
-    return report;
 }
 
 } // namespace toile::meshing

@@ -10,10 +10,25 @@
 
 namespace toile::meshing {
 
-/// The main mesh with the regions on it. seamEnds are in the piece's frame.
-[[nodiscard]] Result<Lattice> laidLattice(const PieceInput& piece, const PieceBoundary& boundary,
-                                          const std::vector<Vec2>& seamEnds, const GrainStretches& stretches,
-                                          std::vector<RegionReport>& reports, std::vector<Warning>& warnings);
+/// The main mesh with the regions on it.
+struct LaidLattice {
+    Lattice lattice;
+    std::vector<RegionReport> regions;
+    std::vector<Warning> warnings;
+};
+
+/// Lays the main mesh of one piece after another; keeps what it works in.
+class LatticeLayer {
+public:
+    /// seamEnds are in the piece's frame. Overwrites what was laid.
+    [[nodiscard]] Result<void> run(const PieceInput& piece, const PieceBoundary& boundary,
+                                   std::span<const Vec2> seamEnds, const GrainStretches& stretches, Arena& arena,
+                                   LaidLattice& laid);
+
+private:
+    IntegerLines lines_;
+    BorderSegments segments_;
+};
 
 /// Meshes one piece after another. What it works in is kept: once it has meshed a piece, meshing another of the same
 /// size takes no memory.
@@ -37,8 +52,9 @@ private:
     PieceFinisher finisher_;
 };
 
-/// Counts of the mesh; and, if it is to be judged, all that PieceReport can say of it but its regions.
-[[nodiscard]] PieceReport pieceReport(const PieceInput& piece, const PieceBoundary& boundary,
-                                      const BoundaryNodes& nodes, const PieceMesh& mesh, bool judged);
+/// Overwrites the report by counts of the mesh; and, if it is to be judged, by all that can be said of it but its
+/// regions, which stay.
+void reportOn(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes, const PieceMesh& mesh,
+              bool judged, PieceReport& report);
 
 } // namespace toile::meshing

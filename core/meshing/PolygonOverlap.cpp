@@ -14,7 +14,7 @@ struct Side {
     [[nodiscard]] double xAt(double y) const { return low.x + (high.x - low.x) * (y - low.y) / (high.y - low.y); }
 };
 
-void appendSides(const std::vector<geometry::Polygon>& polygons, bool ofA, std::vector<Side>& sides) {
+void appendSides(const Polygons& polygons, bool ofA, std::pmr::vector<Side>& sides) {
     for (const auto& polygon : polygons)
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             Vec2 p = polygon[i], q = polygon[(i + 1) % polygon.size()];
@@ -25,8 +25,8 @@ void appendSides(const std::vector<geometry::Polygon>& polygons, bool ofA, std::
 }
 
 /// Where the order of the sides may change: ends and crossings of sides, by height.
-std::vector<double> heightsOf(const std::vector<Side>& sides) {
-    std::vector<double> heights;
+std::pmr::vector<double> heightsOf(std::span<const Side> sides, Arena& arena) {
+    std::pmr::vector<double> heights(&arena);
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const Side& s = sides[i];
         heights.push_back(s.low.y);
@@ -46,7 +46,7 @@ std::vector<double> heightsOf(const std::vector<Side>& sides) {
 }
 
 /// Length of the common part along a horizontal line; `crossings` is room to work in.
-double commonLength(const std::vector<Side>& active, double y, std::vector<std::pair<double, bool>>& crossings) {
+double commonLength(std::span<const Side> active, double y, std::pmr::vector<std::pair<double, bool>>& crossings) {
     crossings.clear();
     for (const Side& side : active) crossings.emplace_back(side.xAt(y), side.ofA);
     std::sort(crossings.begin(), crossings.end());
@@ -62,14 +62,14 @@ double commonLength(const std::vector<Side>& active, double y, std::vector<std::
 
 } // namespace
 
-double overlapArea(const std::vector<geometry::Polygon>& a, const std::vector<geometry::Polygon>& b) {
-    std::vector<Side> sides;
+double overlapArea(const Polygons& a, const Polygons& b, Arena& arena) {
+    std::pmr::vector<Side> sides(&arena);
     appendSides(a, true, sides);
     appendSides(b, false, sides);
     std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) { return s.low.y < t.low.y; });
-    const std::vector<double> heights = heightsOf(sides);
-    std::vector<Side> active;
-    std::vector<std::pair<double, bool>> crossings;
+    const std::pmr::vector<double> heights = heightsOf(sides, arena);
+    std::pmr::vector<Side> active(&arena);
+    std::pmr::vector<std::pair<double, bool>> crossings(&arena);
     std::size_t next = 0;
     double area = 0;
     for (std::size_t k = 0; k + 1 < heights.size(); ++k) { // between two heights the length is linear
@@ -80,7 +80,7 @@ double overlapArea(const std::vector<geometry::Polygon>& a, const std::vector<ge
     return area;
 }
 
-bool covers(const std::vector<geometry::Polygon>& polygons, Vec2 point) {
+bool covers(const Polygons& polygons, Vec2 point) {
     bool inside = false;
     for (const auto& polygon : polygons) inside ^= geometry::windingNumber(polygon, point) % 2 != 0;
     return inside;

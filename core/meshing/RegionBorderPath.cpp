@@ -30,8 +30,8 @@ int nearestLine(const std::vector<double>& lines, double value) {
 /// Dijkstra on the crossings in a box round both ends.
 class PathSearch {
 public:
-    PathSearch(const Lattice& lattice, LatticePoint from, LatticePoint to, Vec2 sideFrom, Vec2 sideTo)
-        : lattice_(lattice), from_(from), to_(to), sideFrom_(sideFrom), sideTo_(sideTo) {
+    PathSearch(const Lattice& lattice, LatticePoint from, LatticePoint to, Vec2 sideFrom, Vec2 sideTo, Arena& arena)
+        : lattice_(lattice), from_(from), to_(to), sideFrom_(sideFrom), sideTo_(sideTo), arena_(arena) {
         low_ = {std::max(0, std::min(from.column, to.column) - 1), std::max(0, std::min(from.row, to.row) - 1)};
         high_ = {std::min(lattice.columns(), std::max(from.column, to.column) + 1),
                  std::min(lattice.rows(), std::max(from.row, to.row) + 1)};
@@ -39,11 +39,12 @@ public:
 
     LatticePath run() {
         const int width = high_.column - low_.column + 1, height = high_.row - low_.row + 1;
-        std::vector<Cost> cost(at(width * height), std::numeric_limits<Cost>::max());
-        std::vector<LatticePoint> before(cost.size());
+        std::pmr::vector<Cost> cost(at(width * height), std::numeric_limits<Cost>::max(), &arena_);
+        std::pmr::vector<LatticePoint> before(cost.size(), &arena_);
         const auto index = [&](LatticePoint p) { return at((p.row - low_.row) * width + p.column - low_.column); };
         using Entry = std::pair<Cost, LatticePoint>;
-        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+        using Entries = std::pmr::vector<Entry>;
+        std::priority_queue<Entry, Entries, std::greater<>> open{std::greater<>(), Entries(&arena_)};
         cost[index(from_)] = 0;
         open.emplace(0, from_);
         while (!open.empty()) {
@@ -63,7 +64,7 @@ public:
                 open.emplace(total, there);
             }
         }
-        LatticePath path{to_};
+        LatticePath path(1, to_, &arena_);
         while (path.back() != from_) path.push_back(before[index(path.back())]);
         std::reverse(path.begin(), path.end());
         return path;
@@ -83,22 +84,23 @@ private:
     const Lattice& lattice_;
     LatticePoint from_, to_, low_, high_;
     Vec2 sideFrom_, sideTo_;
+    Arena& arena_;
 };
 
 } // namespace
 
-LatticePath nearestLatticePath(const geometry::Polygon& border, const Lattice& lattice) {
+LatticePath nearestLatticePath(std::span<const Vec2> border, const Lattice& lattice, Arena& arena) {
     const auto nearest = [&](Vec2 p) {
         return LatticePoint{nearestLine(lattice.mainX(), p.x), nearestLine(lattice.mainY(), p.y)};
     };
-    LatticePath closed;
+    LatticePath closed(&arena);
     for (std::size_t i = 0; i < border.size(); ++i) {
         const Vec2 a = border[i], b = border[(i + 1) % border.size()];
         const LatticePoint from = nearest(a), to = nearest(b);
         if (from == to) continue;
         // From the smaller end, so that a border walked the other way takes the same path.
-        LatticePath path =
-            from < to ? PathSearch(lattice, from, to, a, b).run() : PathSearch(lattice, to, from, b, a).run();
+        LatticePath path = from < to ? PathSearch(lattice, from, to, a, b, arena).run()
+                                     : PathSearch(lattice, to, from, b, a, arena).run();
         if (to < from) std::reverse(path.begin(), path.end());
         closed.insert(closed.end(), path.begin(), path.end() - 1);
     }

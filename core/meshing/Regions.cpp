@@ -20,12 +20,10 @@ std::size_t at(int i) {
 constexpr double largestCellCount = 1e7;
 constexpr double borderMoveWarned = 0.5; ///< of ε_m [–]
 
-using Polygons = std::vector<Polygon>;
-
-Polygons paintedBorders(const RegionInput& region, const PieceFrame& frame) {
-    Polygons borders;
+Polygons paintedBorders(const RegionInput& region, const PieceFrame& frame, Arena& arena) {
+    Polygons borders(&arena);
     const auto add = [&](const Polygon& polygon) {
-        Polygon& turned = borders.emplace_back();
+        auto& turned = borders.emplace_back();
         for (const Vec2 p : polygon) turned.push_back(frame.frameOf(p));
     };
     add(region.outline);
@@ -33,10 +31,10 @@ Polygons paintedBorders(const RegionInput& region, const PieceFrame& frame) {
     return borders;
 }
 
-Polygons contoursInFrame(const PieceBoundary& boundary) {
-    Polygons contours;
+Polygons contoursInFrame(const PieceBoundary& boundary, Arena& arena) {
+    Polygons contours(&arena);
     for (const auto& ring : boundary.contours) {
-        Polygon& polygon = contours.emplace_back();
+        auto& polygon = contours.emplace_back();
         for (const GridPoint p : ring)
             polygon.push_back(Vec2{static_cast<double>(p.x), static_cast<double>(p.y)} * boundary.frame.unit);
     }
@@ -44,8 +42,8 @@ Polygons contoursInFrame(const PieceBoundary& boundary) {
 }
 
 /// The cells inside closed paths of main lines, by parity.
-std::vector<char> cellsInside(const std::vector<LatticePath>& paths, const Lattice& lattice) {
-    std::vector<char> inside(at(lattice.columns() * lattice.rows()), 0);
+std::pmr::vector<char> cellsInside(std::span<const LatticePath> paths, const Lattice& lattice, Arena& arena) {
+    std::pmr::vector<char> inside(at(lattice.columns() * lattice.rows()), 0, &arena);
     for (const LatticePath& path : paths)
         for (std::size_t i = 0; i < path.size(); ++i) {
             const LatticePoint p = path[i], q = path[(i + 1) % path.size()];
@@ -57,10 +55,10 @@ std::vector<char> cellsInside(const std::vector<LatticePath>& paths, const Latti
     return inside;
 }
 
-Polygons asPolygons(const std::vector<LatticePath>& paths, const Lattice& lattice) {
-    Polygons polygons;
+Polygons asPolygons(std::span<const LatticePath> paths, const Lattice& lattice, Arena& arena) {
+    Polygons polygons(&arena);
     for (const LatticePath& path : paths) {
-        Polygon& polygon = polygons.emplace_back();
+        auto& polygon = polygons.emplace_back();
         for (const LatticePoint p : path)
             polygon.push_back({lattice.mainX()[at(p.column)], lattice.mainY()[at(p.row)]});
     }
@@ -69,7 +67,7 @@ Polygons asPolygons(const std::vector<LatticePath>& paths, const Lattice& lattic
 
 double distanceToBorders(const Polygons& borders, Vec2 point) {
     double best = 1e300;
-    for (const Polygon& border : borders)
+    for (const auto& border : borders)
         if (!border.empty()) best = std::min(best, geometry::distanceToBorder(border, point));
     return best;
 }
@@ -77,12 +75,12 @@ double distanceToBorders(const Polygons& borders, Vec2 point) {
 /// Largest distance from the part of one border inside the piece to the other border, sampled.
 double oneSidedDistance(const Polygons& from, const Polygons& to, const Polygons& piece, double spacing) {
     double perimeter = 0;
-    for (const Polygon& border : from)
+    for (const auto& border : from)
         for (std::size_t i = 0; i < border.size(); ++i)
             perimeter += distance(border[i], border[(i + 1) % border.size()]);
     const double step = std::max(spacing / 8, perimeter / 2000);
     double worst = 0;
-    for (const Polygon& border : from)
+    for (const auto& border : from)
         for (std::size_t i = 0; i < border.size(); ++i) {
             const Vec2 a = border[i], b = border[(i + 1) % border.size()];
             const int parts = std::max(1, static_cast<int>(std::ceil(distance(a, b) / step)));
@@ -96,90 +94,86 @@ double oneSidedDistance(const Polygons& from, const Polygons& to, const Polygons
 }
 
 std::optional<Error> regionError(const PieceInput& piece, const RegionInput& region, const Polygons& painted,
-                                 const Polygons& contours) {
+                                 const Polygons& contours, Arena& arena) {
     const auto error = [&](const std::string& text) {
         return Error{ErrorCode::invalidInput, text, {.object = nameOf(piece) + ", region \"" + region.label + "\""}};
     };
     if (region.outline.size() < 3) return error("The border of the region needs at least three points.");
-    if (overlapArea(painted, contours) <= 1e-12 * piece.spacing * piece.spacing + 1e-14)
+    if (overlapArea(painted, contours, arena) <= 1e-12 * piece.spacing * piece.spacing + 1e-14)
         return error("The region lies outside the piece.");
     return std::nullopt;
 }
 
-struct SnappedRegion {
-    std::vector<char> cells;
-    RegionReport report;
-};
+/// Which cells each region covers.
+using CellsOfRegions = std::pmr::vector<std::pmr::vector<char>>;
 
-SnappedRegion snapped(const PieceInput& piece, const RegionInput& region, const Polygons& painted,
-                      const Polygons& contours, const Lattice& lattice) {
-    std::vector<LatticePath> paths;
-    for (const Polygon& border : painted)
-        if (border.size() >= 3) paths.push_back(nearestLatticePath(border, lattice));
-    SnappedRegion result{cellsInside(paths, lattice), {}};
-    result.report.label = region.label;
-    result.report.ratio = 1 << region.refinement;
-    result.report.spacing = piece.spacing / result.report.ratio;
-    const Polygons final = asPolygons(paths, lattice);
-    result.report.displacement = std::max(oneSidedDistance(painted, final, contours, piece.spacing),
-                                          oneSidedDistance(final, painted, contours, piece.spacing));
-    result.report.areaChange = overlapArea(final, contours) - overlapArea(painted, contours);
-    return result;
+/// Overwrites the report; returns the cells.
+std::pmr::vector<char> snapped(const PieceInput& piece, const RegionInput& region, const Polygons& painted,
+                               const Polygons& contours, const Lattice& lattice, Arena& arena, RegionReport& report) {
+    std::pmr::vector<LatticePath> paths(&arena);
+    for (const auto& border : painted)
+        if (border.size() >= 3) paths.push_back(nearestLatticePath(border, lattice, arena));
+    report.label = region.label;
+    report.ratio = 1 << region.refinement;
+    report.spacing = piece.spacing / report.ratio;
+    report.cells = 0;
+    const Polygons final = asPolygons(paths, lattice, arena);
+    report.displacement = std::max(oneSidedDistance(painted, final, contours, piece.spacing),
+                                   oneSidedDistance(final, painted, contours, piece.spacing));
+    report.areaChange = overlapArea(final, contours, arena) - overlapArea(painted, contours, arena);
+    return cellsInside(paths, lattice, arena);
 }
 
-void warnOfOverlaps(const PieceInput& piece, const std::vector<SnappedRegion>& regions, const Lattice& lattice,
+void warnOfOverlaps(const PieceInput& piece, const CellsOfRegions& cells, const Lattice& lattice,
                     std::vector<Warning>& warnings) {
-    for (std::size_t i = 0; i < regions.size(); ++i)
-        for (std::size_t j = i + 1; j < regions.size(); ++j) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        for (std::size_t j = i + 1; j < cells.size(); ++j) {
             int common = 0;
             for (std::size_t c = 0; c < lattice.active.size(); ++c)
-                common += lattice.active[c] && regions[i].cells[c] && regions[j].cells[c];
+                common += lattice.active[c] && cells[i][c] && cells[j][c];
             if (common > 0)
-                warnings.push_back({nameOf(piece), "Regions \"" + regions[i].report.label + "\" and \"" +
-                                                       regions[j].report.label + "\" share " + std::to_string(common) +
+                warnings.push_back({nameOf(piece), "Regions \"" + piece.regions[i].label + "\" and \"" +
+                                                       piece.regions[j].label + "\" share " + std::to_string(common) +
                                                        " main cells; the finer one counts there."});
         }
 }
 
 } // namespace
 
-Result<std::vector<RegionReport>> snapRegions(const PieceInput& piece, const PieceBoundary& boundary, Lattice& lattice,
-                                              std::vector<Warning>& warnings) {
-    std::vector<RegionReport> reports;
-    if (piece.regions.empty()) return reports;
-    const Polygons contours = contoursInFrame(boundary);
-    std::vector<SnappedRegion> regions;
-    for (const RegionInput& region : piece.regions) {
-        const Polygons painted = paintedBorders(region, boundary.frame);
-        if (auto error = regionError(piece, region, painted, contours)) return tl::unexpected(*error);
-        regions.push_back(snapped(piece, region, painted, contours, lattice));
-        const RegionReport& report = regions.back().report;
+Result<void> snapRegions(const PieceInput& piece, const PieceBoundary& boundary, Arena& arena, Lattice& lattice,
+                         std::span<RegionReport> reports, std::vector<Warning>& warnings) {
+    const Polygons contours = contoursInFrame(boundary, arena);
+    CellsOfRegions cells(&arena);
+    for (std::size_t r = 0; r < piece.regions.size(); ++r) {
+        const RegionInput& region = piece.regions[r];
+        RegionReport& report = reports[r];
+        const Polygons painted = paintedBorders(region, boundary.frame, arena);
+        if (auto error = regionError(piece, region, painted, contours, arena)) return tl::unexpected(*error);
+        cells.push_back(snapped(piece, region, painted, contours, lattice, arena, report));
         if (report.displacement > borderMoveWarned * piece.spacing)
             warnings.push_back({nameOf(piece), "The border of region \"" + region.label + "\" moved by " +
                                                    millimetres(report.displacement) + " to the main mesh of " +
                                                    millimetres(piece.spacing) + "."});
     }
-    warnOfOverlaps(piece, regions, lattice, warnings);
+    warnOfOverlaps(piece, cells, lattice, warnings);
     lattice.makeDivisible();
-    for (std::size_t r = 0; r < regions.size(); ++r)
+    for (std::size_t r = 0; r < reports.size(); ++r)
         for (std::size_t c = 0; c < lattice.division.size(); ++c) {
-            if (!regions[r].cells[c]) continue;
-            const int u = regions[r].report.ratio;
+            if (!cells[r][c]) continue;
+            const int u = reports[r].ratio;
             if (lattice.region[c] >= 0 && lattice.division[c] >= u) continue;
             lattice.division[c] = u;
             lattice.region[c] = static_cast<int>(r);
         }
     for (std::size_t c = 0; c < lattice.division.size(); ++c)
-        if (lattice.active[c] && lattice.region[c] >= 0) ++regions[at(lattice.region[c])].report.cells;
-    for (const SnappedRegion& region : regions) {
-        if (region.report.cells == 0)
+        if (lattice.active[c] && lattice.region[c] >= 0) ++reports[at(lattice.region[c])].cells;
+    for (const RegionReport& report : reports)
+        if (report.cells == 0)
             return fail(ErrorCode::invalidInput,
                         "The region has no cell left after snapping to the main mesh of " + millimetres(piece.spacing) +
                             "; make it larger, or the main mesh finer.",
-                        {.object = nameOf(piece) + ", region \"" + region.report.label + "\""});
-        reports.push_back(region.report);
-    }
-    return reports;
+                        {.object = nameOf(piece) + ", region \"" + report.label + "\""});
+    return {};
 }
 
 void balance(Lattice& lattice, std::vector<std::pair<int, int>>& open) {

@@ -8,9 +8,10 @@
 namespace toile::meshing {
 
 /// Snaps the painted borders of a piece's regions to main lines and sets `division` and `region` of the
-/// lattice. Where regions overlap the finer counts.
-[[nodiscard]] Result<std::vector<RegionReport>> snapRegions(const PieceInput& piece, const PieceBoundary& boundary,
-                                                            Lattice& lattice, std::vector<Warning>& warnings);
+/// lattice. Where regions overlap the finer counts. Overwrites the reports, one of each region.
+[[nodiscard]] Result<void> snapRegions(const PieceInput& piece, const PieceBoundary& boundary, Arena& arena,
+                                       Lattice& lattice, std::span<RegionReport> reports,
+                                       std::vector<Warning>& warnings);
 
 /// Neighbouring active cells, also across corners, differ at most by a factor of two afterwards: the coarser
 /// ones are divided further, in rings. `open` is room to work in.

@@ -54,12 +54,12 @@ bool overlap(const SeamPartInput& a, const SeamPartInput& b) {
 }
 
 Failure overlapError(const MeshInput& input, const SeamInput& seam) {
-    std::vector<SeamPartInput> parts = seam.sides[0];
-    parts.insert(parts.end(), seam.sides[1].begin(), seam.sides[1].end());
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        for (std::size_t j = i + 1; j < parts.size(); ++j)
-            if (overlap(parts[i], parts[j]))
-                return seamError(seam, "The seam uses the same stretch of " + edgeName(input, parts[i]) + " twice.");
+    const std::size_t ofA = seam.sides[0].size(), all = ofA + seam.sides[1].size();
+    const auto part = [&](std::size_t i) { return i < ofA ? seam.sides[0][i] : seam.sides[1][i - ofA]; };
+    for (std::size_t i = 0; i < all; ++i)
+        for (std::size_t j = i + 1; j < all; ++j)
+            if (overlap(part(i), part(j)))
+                return seamError(seam, "The seam uses the same stretch of " + edgeName(input, part(i)) + " twice.");
     return std::nullopt;
 }
 
@@ -98,8 +98,8 @@ Failure directionError(const MeshInput& input, const SeamInput& seam, const std:
     return std::nullopt;
 }
 
-SeamChain chainOf(const std::vector<SeamPartInput>& parts, const std::vector<PieceBoundary>& boundaries) {
-    SeamChain chain;
+SeamChain chainOf(const std::vector<SeamPartInput>& parts, const std::vector<PieceBoundary>& boundaries, Arena& arena) {
+    SeamChain chain{std::pmr::vector<ChainPart>(&arena)};
     for (const SeamPartInput& part : parts) {
         const double length = arcOf(boundaries, part).length * (part.to - part.from);
         chain.parts.push_back({part, chain.length, length});
@@ -108,8 +108,8 @@ SeamChain chainOf(const std::vector<SeamPartInput>& parts, const std::vector<Pie
     return chain;
 }
 
-std::vector<double> notchesOf(const MeshInput& input, const SeamChain& chain) {
-    std::vector<double> places;
+std::pmr::vector<double> notchesOf(const MeshInput& input, const SeamChain& chain, Arena& arena) {
+    std::pmr::vector<double> places(&arena);
     for (const ChainPart& part : chain.parts) {
         const PieceInput& piece = input.pieces[static_cast<std::size_t>(part.part.piece)];
         for (const double notch : loopOf(piece, part.part.loop)[static_cast<std::size_t>(part.part.edge)].notches)
@@ -133,12 +133,12 @@ Failure lengthError(const SeamInput& seam, const std::string& section, double le
     return std::nullopt;
 }
 
-Failure pairNotches(const MeshInput& input, const SeamInput& seam, CheckedSeam& checked,
+Failure pairNotches(const MeshInput& input, const SeamInput& seam, CheckedSeam& checked, Arena& arena,
                     std::vector<Warning>& warnings) {
-    const std::array<std::vector<double>, 2> notches{notchesOf(input, checked.sides[0]),
-                                                     notchesOf(input, checked.sides[1])};
+    const std::array<std::pmr::vector<double>, 2> notches{notchesOf(input, checked.sides[0], arena),
+                                                          notchesOf(input, checked.sides[1], arena)};
     const SeamAnchor end{checked.sides[0].length, checked.sides[1].length};
-    checked.anchors = {{0, 0}};
+    checked.anchors.assign(1, SeamAnchor{0, 0});
     const bool paired = notches[0].size() == notches[1].size();
     if (seam.sections.size() > 1 && (!paired || seam.sections.size() != notches[0].size() + 1))
         return seamError(seam, "Ease is declared for " + std::to_string(seam.sections.size()) +
@@ -170,8 +170,8 @@ Failure pairNotches(const MeshInput& input, const SeamInput& seam, CheckedSeam& 
 }
 
 /// Joints of the two chains that nearly face each other become anchors.
-void pairJoints(double spacing, CheckedSeam& checked) {
-    std::vector<SeamAnchor> found;
+void pairJoints(double spacing, Arena& arena, CheckedSeam& checked) {
+    std::pmr::vector<SeamAnchor> found(&arena);
     double lastB = 0;
     for (std::size_t i = 1; i < checked.sides[0].parts.size(); ++i) {
         const double jointA = checked.sides[0].parts[i].start;
@@ -219,7 +219,8 @@ std::string nameOf(const SeamInput& seam) {
 }
 
 Result<CheckedSeam> checkedSeam(const MeshInput& input, const SeamInput& seam,
-                                const std::vector<PieceBoundary>& boundaries, std::vector<Warning>& warnings) {
+                                const std::vector<PieceBoundary>& boundaries, Arena& arena,
+                                std::vector<Warning>& warnings) {
     double spacing = 1e9;
     for (const auto& side : seam.sides) {
         if (side.empty()) return tl::unexpected(*seamError(seam, "One side of the seam is empty."));
@@ -230,10 +231,10 @@ Result<CheckedSeam> checkedSeam(const MeshInput& input, const SeamInput& seam,
         if (auto error = directionError(input, seam, side)) return tl::unexpected(*error);
     }
     if (auto error = overlapError(input, seam)) return tl::unexpected(*error);
-    CheckedSeam checked;
-    for (std::size_t s = 0; s < 2; ++s) checked.sides[s] = chainOf(seam.sides[s], boundaries);
-    if (auto error = pairNotches(input, seam, checked, warnings)) return tl::unexpected(*error);
-    pairJoints(spacing, checked);
+    CheckedSeam checked{{chainOf(seam.sides[0], boundaries, arena), chainOf(seam.sides[1], boundaries, arena)},
+                        std::pmr::vector<SeamAnchor>(&arena)};
+    if (auto error = pairNotches(input, seam, checked, arena, warnings)) return tl::unexpected(*error);
+    pairJoints(spacing, arena, checked);
     return checked;
 }
 

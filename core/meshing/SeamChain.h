@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Arena.h"
 #include "core/base/Result.h"
 #include "core/meshing/PieceBoundary.h"
 
@@ -21,7 +22,7 @@ struct ChainPart {
 
 /// One side of a seam.
 struct SeamChain {
-    std::vector<ChainPart> parts;
+    std::pmr::vector<ChainPart> parts;
     double length = 0; ///< [m]
 };
 
@@ -30,8 +31,9 @@ using SeamAnchor = std::array<double, 2>;
 
 struct CheckedSeam {
     std::array<SeamChain, 2> sides;
-    std::vector<SeamAnchor> anchors; ///< rising; first the start, last the end; between them lengths are proportional
-    double ease = 0;                 ///< declared, over all sections [m]
+    std::pmr::vector<SeamAnchor>
+        anchors;     ///< rising; first the start, last the end; between them lengths are proportional
+    double ease = 0; ///< declared, over all sections [m]
 
     /// Where a place of one side lies on the other.
     [[nodiscard]] double across(int fromSide, double chain) const;
@@ -39,9 +41,10 @@ struct CheckedSeam {
 
 [[nodiscard]] std::string nameOf(const SeamInput& seam);
 
-/// Checks parts, directions and lengths of a seam; pairs its notches and nearby joints.
+/// Checks parts, directions and lengths of a seam; pairs its notches and nearby joints. What comes out lives in the
+/// arena.
 [[nodiscard]] Result<CheckedSeam> checkedSeam(const MeshInput& input, const SeamInput& seam,
-                                              const std::vector<PieceBoundary>& boundaries,
+                                              const std::vector<PieceBoundary>& boundaries, Arena& arena,
                                               std::vector<Warning>& warnings);
 
 } // namespace toile::meshing

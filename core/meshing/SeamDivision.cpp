@@ -20,28 +20,13 @@ std::size_t at(int i) {
 
 /// Disjoint sets of stretches that must carry equal counts.
 struct Groups {
-    std::vector<int> parent;
+    std::pmr::vector<int> parent;
     int rootOf(int i) {
         while (parent[at(i)] != i) i = parent[at(i)] = parent[at(parent[at(i)])];
         return i;
     }
     void join(int a, int b) { parent[at(rootOf(a))] = rootOf(b); }
 };
-
-std::vector<int> groupsAlong(const SeamChain& chain,
-                             const std::vector<std::vector<std::vector<std::vector<Stretch>>>>& stretches) {
-    std::vector<int> groups;
-    for (const ChainPart& part : chain.parts) {
-        std::vector<int> own;
-        for (const Stretch& stretch : stretches[at(part.part.piece)][at(part.part.loop)][at(part.part.edge)]) {
-            const double middle = 0.5 * (stretch.from + stretch.to);
-            if (middle > part.part.from && middle < part.part.to) own.push_back(stretch.group);
-        }
-        if (part.part.reversed) std::reverse(own.begin(), own.end());
-        groups.insert(groups.end(), own.begin(), own.end());
-    }
-    return groups;
-}
 
 /// The edge lies along the grain, so that main lines may pass through its nodes.
 bool isLined(const PieceInput& piece, const PieceBoundary& boundary, int loop, int edge) {
@@ -57,7 +42,7 @@ int partsOnLines(double length, double spacing, double finest) {
 }
 
 /// Into how many parts scan lines cut a stretch of an edge.
-int partsBetween(const std::vector<double>& crossings, double from, double to) {
+int partsBetween(std::span<const double> crossings, double from, double to) {
     constexpr double same = 1e-9; // a crossing that is an end of the stretch cuts nothing off
     return 1 + static_cast<int>(std::count_if(crossings.begin(), crossings.end(), [&](double crossing) {
                return crossing > from + same && crossing < to - same;
@@ -73,12 +58,11 @@ double turnBetween(const Curve& in, const Curve& out) {
     return std::abs(std::atan2(cross(a, b), dot(a, b)));
 }
 
-/// Which ends of edges of a loop are no nodes: those inside smooth runs of short free lines, but for one per
+/// Marks which ends of edges of a loop are no nodes: those inside smooth runs of short free lines, but for one per
 /// spacing.
-std::vector<char> passedEnds(const BoundaryLoop& edges, const LoopBoundary& arcs, const std::vector<char>& sewn,
-                             double spacing) {
+void markPassedEnds(const BoundaryLoop& edges, const LoopBoundary& arcs, std::span<const char> sewn, double spacing,
+                    std::span<char> passed) {
     const std::size_t n = edges.size();
-    std::vector<char> passed(n, 0);
     const auto isShort = [&](std::size_t e) {
         return !sewn[e] && !arcs.edges[e].collapsed && edges[e].notches.empty() &&
                arcs.edges[e].length < shortEdge * spacing &&
@@ -93,27 +77,26 @@ std::vector<char> passedEnds(const BoundaryLoop& edges, const LoopBoundary& arcs
                     length + arcs.edges[e + 1].length <= spacing;
         if (!passed[e]) length = turn = 0;
     }
-    return passed;
 }
 
 } // namespace
 
 Result<BoundaryDivision> BoundaryDivision::create(const MeshInput& input, const std::vector<PieceBoundary>& boundaries,
-                                                  const std::vector<CheckedSeam>& seams, const FixedPoints& points,
-                                                  const SpacingAlong& spacing) {
-    BoundaryDivision division;
-    Groups groups;
-    std::vector<int> needed;
+                                                  std::span<const CheckedSeam> seams, const FixedPoints& points,
+                                                  const SpacingAlong& spacing, Arena& arena) {
+    BoundaryDivision division(arena);
+    Groups groups{std::pmr::vector<int>(&arena)};
+    std::pmr::vector<int> needed(&arena);
     for (std::size_t p = 0; p < points.size(); ++p) {
         auto& loops = division.stretches_.emplace_back();
         const bool literal = input.pieces[p].rule == LineRule::paper;
-        const auto crossings =
-            literal ? lineCrossings(input.pieces[p], boundaries[p]) : std::vector<std::vector<std::vector<double>>>{};
+        const PiecePoints crossings =
+            literal ? lineCrossings(input.pieces[p], boundaries[p], arena) : PiecePoints(&arena);
         for (std::size_t loop = 0; loop < points[p].size(); ++loop) {
             auto& edges = loops.emplace_back();
             for (std::size_t e = 0; e < points[p][loop].size(); ++e) {
                 auto& own = edges.emplace_back();
-                const std::vector<double>& places = points[p][loop][e];
+                const std::span<const double> places = points[p][loop][e];
                 const EdgeArc& arc = boundaries[p].loops[loop].edges[e];
                 const bool lined = isLined(input.pieces[p], boundaries[p], static_cast<int>(loop), static_cast<int>(e));
                 for (std::size_t i = 0; i + 1 < places.size(); ++i) {
@@ -134,20 +117,17 @@ Result<BoundaryDivision> BoundaryDivision::create(const MeshInput& input, const 
     }
     division.passed_.resize(input.pieces.size());
     for (std::size_t p = 0; p < input.pieces.size(); ++p) {
-        const std::vector<std::vector<char>> sewn = sewnEdges(input.pieces[p], static_cast<int>(p), seams);
+        const SewnEdges sewn = sewnEdges(input.pieces[p], static_cast<int>(p), seams, arena);
         for (int loop = 0; loop < loopCount(input.pieces[p]); ++loop) {
             const BoundaryLoop& edges = loopOf(input.pieces[p], loop);
-            if (input.pieces[p].rule == LineRule::paper) { // a node at every authored vertex
-                division.passed_[p].emplace_back(edges.size(), char{0});
-                continue;
-            }
-            division.passed_[p].push_back(
-                passedEnds(edges, boundaries[p].loops[at(loop)], sewn[at(loop)], input.pieces[p].spacing));
+            auto& passed = division.passed_[p].emplace_back(edges.size(), char{0});
+            if (input.pieces[p].rule == LineRule::paper) continue; // a node at every authored vertex
+            markPassedEnds(edges, boundaries[p].loops[at(loop)], sewn[at(loop)], input.pieces[p].spacing, passed);
         }
     }
     for (std::size_t s = 0; s < seams.size(); ++s) {
-        const std::vector<int> a = groupsAlong(seams[s].sides[0], division.stretches_);
-        const std::vector<int> b = groupsAlong(seams[s].sides[1], division.stretches_);
+        const std::pmr::vector<int> a = division.groupsAlong(seams[s].sides[0], arena);
+        const std::pmr::vector<int> b = division.groupsAlong(seams[s].sides[1], arena);
         if (a.size() != b.size())
             return fail(ErrorCode::invalidInput, "Fixed points of the two sides lie too near one another to be paired.",
                         {.object = nameOf(input.seams[s])});
@@ -164,18 +144,31 @@ Result<BoundaryDivision> BoundaryDivision::create(const MeshInput& input, const 
                 for (Stretch& stretch : own) stretch.group = groups.rootOf(stretch.group);
     for (std::size_t p = 0; p < input.pieces.size(); ++p)
         division.followFacingEdges(input.pieces[p], static_cast<int>(p), boundaries[p],
-                                   sewnEdges(input.pieces[p], static_cast<int>(p), seams));
+                                   sewnEdges(input.pieces[p], static_cast<int>(p), seams, arena), arena);
     return division;
+}
+
+std::pmr::vector<int> BoundaryDivision::groupsAlong(const SeamChain& chain, Arena& arena) const {
+    std::pmr::vector<int> groups(&arena);
+    for (const ChainPart& part : chain.parts) {
+        const auto first = static_cast<std::ptrdiff_t>(groups.size());
+        for (const Stretch& stretch : stretches(part.part.piece, part.part.loop, part.part.edge)) {
+            const double middle = 0.5 * (stretch.from + stretch.to);
+            if (middle > part.part.from && middle < part.part.to) groups.push_back(stretch.group);
+        }
+        if (part.part.reversed) std::reverse(groups.begin() + first, groups.end());
+    }
+    return groups;
 }
 
 /// A free straight edge is divided as the sewn one it faces, unless that costs the cells between them too
 /// much.
 void BoundaryDivision::followFacingEdges(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,
-                                         const std::vector<std::vector<char>>& sewn) {
+                                         const SewnEdges& sewn, Arena& arena) {
     if (piece.rule != LineRule::regular || !piece.regions.empty()) return;
     for (const int axis : {0, 1}) {
         const double most = mostPartsAcross(along(boundary.box.high - boundary.box.low, 1 - axis), piece.spacing);
-        const std::vector<GrainSpan> spans = grainSpans(piece, boundary, axis);
+        const std::pmr::vector<GrainSpan> spans = grainSpans(piece, boundary, axis, arena);
         const auto forEachStretch = [&](bool ofSewn, auto use) {
             for (const GrainSpan& span : spans)
                 if (static_cast<bool>(sewn[at(span.loop)][at(span.edge)]) == ofSewn)
@@ -193,11 +186,11 @@ void BoundaryDivision::followFacingEdges(const PieceInput& piece, int pieceIndex
     }
 }
 
-GrainStretches BoundaryDivision::grainStretches(const PieceInput& piece, int pieceIndex,
-                                                const PieceBoundary& boundary) const {
-    GrainStretches result;
+GrainStretches BoundaryDivision::grainStretches(const PieceInput& piece, int pieceIndex, const PieceBoundary& boundary,
+                                                Arena& arena) const {
+    GrainStretches result{std::pmr::vector<GrainStretch>(&arena), std::pmr::vector<GrainStretch>(&arena)};
     for (const int axis : {0, 1})
-        for (const GrainSpan& span : grainSpans(piece, boundary, axis))
+        for (const GrainSpan& span : grainSpans(piece, boundary, axis, arena))
             for (const Stretch& stretch : stretches(pieceIndex, span.loop, span.edge)) {
                 const auto [low, high] = std::minmax({span.at(stretch.from), span.at(stretch.to)});
                 result[at(axis)].push_back({low, high, count(stretch)});
@@ -205,11 +198,11 @@ GrainStretches BoundaryDivision::grainStretches(const PieceInput& piece, int pie
     return result;
 }
 
-const std::vector<Stretch>& BoundaryDivision::stretches(int piece, int loop, int edge) const {
+std::span<const Stretch> BoundaryDivision::stretches(int piece, int loop, int edge) const {
     return stretches_[at(piece)][at(loop)][at(edge)];
 }
 
-void BoundaryDivision::listFractions(int piece, int loop, int edge, std::vector<double>& fractions) const {
+void BoundaryDivision::listFractions(int piece, int loop, int edge, std::pmr::vector<double>& fractions) const {
     fractions.assign({0});
     for (const Stretch& stretch : stretches(piece, loop, edge)) {
         const int n = count(stretch);
@@ -225,7 +218,7 @@ std::size_t BoundaryDivision::mostNodes(int piece, int loop) const {
     return most;
 }
 
-void BoundaryDivision::describe(int piece, std::vector<double>& description) const {
+void BoundaryDivision::describe(int piece, std::pmr::vector<double>& description) const {
     description.clear();
     for (std::size_t loop = 0; loop < stretches_[at(piece)].size(); ++loop)
         for (std::size_t edge = 0; edge < stretches_[at(piece)][loop].size(); ++edge) {

@@ -51,9 +51,9 @@ struct SewnStretch {
     }
 };
 
-std::vector<SewnStretch> sewnStretches(const SeamChain& side, const BoundaryDivision& division,
-                                       const std::vector<PieceMesh>& pieces) {
-    std::vector<SewnStretch> sewn;
+std::pmr::vector<SewnStretch> sewnStretches(const SeamChain& side, const BoundaryDivision& division,
+                                            const std::vector<PieceMesh>& pieces, Arena& arena) {
+    std::pmr::vector<SewnStretch> sewn(&arena);
     for (const ChainPart& part : side.parts) {
         const SeamPartInput& where = part.part;
         const EdgeNodes& edge = pieces[at(where.piece)].loops[at(where.loop)][at(where.edge)];
@@ -74,10 +74,10 @@ std::vector<SewnStretch> sewnStretches(const SeamChain& side, const BoundaryDivi
 
 } // namespace
 
-void sew(const CheckedSeam& seam, const BoundaryDivision& division, const std::vector<PieceMesh>& pieces,
+void sew(const CheckedSeam& seam, const BoundaryDivision& division, const std::vector<PieceMesh>& pieces, Arena& arena,
          SeamNodes& nodes) {
-    const std::vector<SewnStretch> a = sewnStretches(seam.sides[0], division, pieces),
-                                   b = sewnStretches(seam.sides[1], division, pieces);
+    const std::pmr::vector<SewnStretch> a = sewnStretches(seam.sides[0], division, pieces, arena),
+                                        b = sewnStretches(seam.sides[1], division, pieces, arena);
     nodes.pairs.clear();
     for (std::size_t i = 0; i < a.size(); ++i)
         for (std::size_t k = 0; k < a[i].nodes.size(); ++k) {
@@ -86,13 +86,15 @@ void sew(const CheckedSeam& seam, const BoundaryDivision& division, const std::v
         }
 }
 
-SeamReport seamReport(const SeamInput& input, const CheckedSeam& seam, const SeamNodes& nodes,
-                      const BoundaryDivision& division, const std::vector<PieceMesh>& pieces) {
-    SeamReport report{input.label, 0, 0, seam.sides[0].length, seam.sides[1].length, seam.ease, 0};
+void judgeSeam(const SeamInput& input, const CheckedSeam& seam, const SeamNodes& nodes,
+               const BoundaryDivision& division, const std::vector<PieceMesh>& pieces, SeamReport& report) {
+    report.label = input.label;
+    report.lengthA = seam.sides[0].length;
+    report.lengthB = seam.sides[1].length;
+    report.ease = seam.ease;
     report.countA = sewingPoints(seam.sides[0], division);
     report.countB = sewingPoints(seam.sides[1], division);
     report.largestSpacingMismatch = largestSpacingMismatch(nodes, pieces);
-    return report;
 }
 
 SewnAlike sewnAlike(const SeamReport& seam) {

@@ -7,11 +7,11 @@
 namespace toile::meshing {
 
 /// Overwrites `nodes` by those along both sides of a seam.
-void sew(const CheckedSeam& seam, const BoundaryDivision& division, const std::vector<PieceMesh>& pieces,
+void sew(const CheckedSeam& seam, const BoundaryDivision& division, const std::vector<PieceMesh>& pieces, Arena& arena,
          SeamNodes& nodes);
 
-/// How alike the two sides of a seam came out.
-[[nodiscard]] SeamReport seamReport(const SeamInput& input, const CheckedSeam& seam, const SeamNodes& nodes,
-                                    const BoundaryDivision& division, const std::vector<PieceMesh>& pieces);
+/// Overwrites the report by how alike the two sides of a seam came out.
+void judgeSeam(const SeamInput& input, const CheckedSeam& seam, const SeamNodes& nodes,
+               const BoundaryDivision& division, const std::vector<PieceMesh>& pieces, SeamReport& report);
 
 } // namespace toile::meshing

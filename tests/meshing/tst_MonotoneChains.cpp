@@ -20,7 +20,7 @@ private slots:
 namespace {
 
 /// One or two rings on a coarse grid, so that touching and folding back are common.
-std::vector<RingSegment> randomSegments(unsigned seed) {
+std::pmr::vector<RingSegment> randomSegments(unsigned seed) {
     std::mt19937 random(seed);
     std::vector<std::vector<GridPoint>> rings(1 + random() % 2);
     for (std::size_t r = 0; r < rings.size(); ++r) {
@@ -35,16 +35,19 @@ std::vector<RingSegment> randomSegments(unsigned seed) {
         }
     }
     std::erase_if(rings, [](const auto& ring) { return ring.size() < 3; });
-    return segmentsOf(rings);
+    std::pmr::vector<RingSegment> segments;
+    for (std::size_t r = 0; r < rings.size(); ++r) appendSegments(rings[r], static_cast<int>(r), segments);
+    return segments;
 }
 
 } // namespace
 
 void tst_MonotoneChains::chainsCoverTheRingsAndTurnNowhere() {
+    toile::Arena arena;
     for (unsigned seed = 1; seed <= 300; ++seed) {
         const auto segments = randomSegments(seed);
         int next = 0;
-        for (const MonotoneChain& chain : monotoneChains(segments)) {
+        for (const MonotoneChain& chain : monotoneChains(segments, arena)) {
             QCOMPARE(chain.first, next);
             QVERIFY(chain.last > chain.first);
             next = chain.last;
@@ -61,16 +64,17 @@ void tst_MonotoneChains::chainsCoverTheRingsAndTurnNowhere() {
 }
 
 void tst_MonotoneChains::theyCrossWhereAnyTwoSegmentsDo() {
+    toile::Arena arena;
     int crossing = 0;
     for (unsigned seed = 1; seed <= 2000; ++seed) {
         const auto segments = randomSegments(seed);
         bool expected = false;
         for (std::size_t i = 0; i < segments.size(); ++i)
             for (std::size_t j = i + 1; j < segments.size(); ++j) expected |= segmentsClash(segments[i], segments[j]);
-        const auto found = chainsCross(segments);
+        const auto found = chainsCross(segments, arena);
         QVERIFY(found);
         QVERIFY2(*found == expected, qPrintable(QString::number(seed)));
-        QCOMPARE(allCrossings(segments).empty(), !expected);
+        QCOMPARE(allCrossings(segments, arena).empty(), !expected);
         crossing += expected;
     }
     QVERIFY(crossing > 400 && crossing < 1600); // both kinds

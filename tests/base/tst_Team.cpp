@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/Parallel.h"
+#include "core/base/Team.h"
 
 #include <QtTest>
 #include <numeric>
@@ -8,22 +8,31 @@
 
 using namespace toile;
 
-class tst_Parallel : public QObject {
+class tst_Team : public QObject {
     Q_OBJECT
 private slots:
     void eachIsDoneOnce() {
         std::vector<int> times(1000, 0);
-        inParallel(1000, [&](int i) { ++times[static_cast<std::size_t>(i)]; });
+        Team().run(1000, [&](int i) { ++times[static_cast<std::size_t>(i)]; });
         QCOMPARE(times, std::vector<int>(1000, 1));
     }
 
     void noneIsNothing() {
-        inParallel(0, [](int) { QFAIL("nothing was to be done"); });
+        Team().run(0, [](int) { QFAIL("nothing was to be done"); });
+    }
+
+    void itWorksAgainAndAgain() {
+        Team team;
+        for (int round = 0; round < 2000; ++round) {
+            std::vector<int> times(static_cast<std::size_t>(round % 5), 0);
+            team.run(round % 5, [&](int i) { ++times[static_cast<std::size_t>(i)]; });
+            QCOMPARE(times, std::vector<int>(times.size(), 1));
+        }
     }
 
     void anExceptionArrivesAfterAllOthersAreDone() {
         std::vector<int> done(100, 0);
-        QVERIFY_EXCEPTION_THROWN(inParallel(100,
+        QVERIFY_EXCEPTION_THROWN(Team().run(100,
                                             [&](int i) {
                                                 if (i == 3) throw std::runtime_error("three");
                                                 done[static_cast<std::size_t>(i)] = 1;
@@ -33,5 +42,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Parallel)
-#include "tst_Parallel.moc"
+QTEST_APPLESS_MAIN(tst_Team)
+#include "tst_Team.moc"
