@@ -95,6 +95,8 @@ private:
     Vec2 constant_, linear_, square_;
 };
 
+constexpr int mostHalvings = 20;
+
 double adaptiveLength(const Speed& speed, double from, double to, double whole, int depth) {
     const double middle = 0.5 * (from + to);
     const double left = speed.integral(from, middle), right = speed.integral(middle, to);
@@ -103,7 +105,7 @@ double adaptiveLength(const Speed& speed, double from, double to, double whole, 
 }
 
 double lengthBetween(const Speed& speed, double from, double to) {
-    return adaptiveLength(speed, from, to, speed.integral(from, to), 20);
+    return adaptiveLength(speed, from, to, speed.integral(from, to), mostHalvings);
 }
 
 } // namespace
@@ -181,8 +183,12 @@ Curve mirrored(const Curve& curve, Vec2 a, Vec2 b) {
 ArcLength::ArcLength(const Curve& curve) : curve_(curve) {
     if (std::holds_alternative<CubicShape>(curve.shape)) intervals_ = mostIntervals;
     const Speed speed(curve_);
-    for (std::size_t i = 0; i < intervals_; ++i)
-        lengths_[i + 1] = lengths_[i] + lengthBetween(speed, begin(i), begin(i + 1));
+    for (std::size_t i = 0; i < intervals_; ++i) {
+        const double whole = speed.integral(begin(i), begin(i + 1));
+        lengths_[i + 1] = lengths_[i] + adaptiveLength(speed, begin(i), begin(i + 1), whole, mostHalvings);
+        const double stretch = lengths_[i + 1] - lengths_[i];
+        smooth_[i] = std::abs(whole - stretch) <= 1e-13 * stretch;
+    }
 }
 
 double ArcLength::parameterAt(double fraction) const {
@@ -195,8 +201,6 @@ double ArcLength::parameterAt(double fraction) const {
     const Speed speed(curve_);
     const double left = begin(i), right = begin(i + 1);
     const double stretch = lengths_[i + 1] - lengths_[i], part = (wanted - lengths_[i]) / stretch;
-    // Where one formula gives the length of the whole interval, it gives that of a part of it.
-    const bool smooth = std::abs(speed.integral(left, right) - stretch) <= 1e-13 * stretch;
     double low = left, high = right;
     double t = low + (high - low) * part;
     const double startSpeed = speed(left), endSpeed = speed(right);
@@ -208,7 +212,7 @@ double ArcLength::parameterAt(double fraction) const {
         if (s > 0 && s < 1) t = left + (right - left) * s;
     }
     for (int iteration = 0; iteration < 50; ++iteration) { // Newton, kept inside the bracket
-        const double length = smooth ? speed.integral(left, t) : lengthBetween(speed, left, t);
+        const double length = smooth_[i] ? speed.integral(left, t) : lengthBetween(speed, left, t);
         const double excess = lengths_[i] + length - wanted;
         if (std::abs(excess) <= 1e-15 * total()) break;
         (excess > 0 ? high : low) = t;

@@ -4,6 +4,7 @@
 #include "core/geometry/Vec.h"
 
 #include <array>
+#include <bitset>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -74,6 +75,7 @@ private:
     Curve curve_;
     std::size_t intervals_ = 1;                       ///< lines and arcs have constant speed
     std::array<double, mostIntervals + 1> lengths_{}; ///< from the start to where each interval begins
+    std::bitset<mostIntervals> smooth_; ///< one formula gives the length of the interval, and so of a part of it
 };
 
 [[nodiscard]] double length(const Curve& curve);

@@ -49,6 +49,7 @@ void DelaunayFlips::runFrom(std::span<const int> changed, std::span<const GridPo
 }
 
 void DelaunayFlips::turnOpen(std::span<const GridPoint> points, TriangleSides& sides) {
+    turned_.clear();
     while (!open_.empty()) {
         const int side = open_.back();
         open_.pop_back();
@@ -57,6 +58,8 @@ void DelaunayFlips::turnOpen(std::span<const GridPoint> points, TriangleSides& s
         turnDiagonal(sides, side);
         for (const int changed : {side, TriangleSides::previous(side), twin, TriangleSides::previous(twin)})
             open_.push_back(changed);
+        turned_.push_back(side);
+        turned_.push_back(twin);
     }
 }
 

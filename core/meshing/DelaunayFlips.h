@@ -16,11 +16,13 @@ public:
     void run(std::span<const GridPoint> points, TriangleSides& sides);
     /// Looks at these, and at what their turning touches.
     void runFrom(std::span<const int> changed, std::span<const GridPoint> points, TriangleSides& sides);
+    /// The sides that the last run has turned, with their twins then: the triangles that they are of are others now.
+    [[nodiscard]] std::span<const int> turned() const { return turned_; }
 
 private:
     void turnOpen(std::span<const GridPoint> points, TriangleSides& sides);
 
-    std::vector<int> open_;
+    std::vector<int> open_, turned_;
 };
 
 } // namespace toile::meshing

@@ -47,7 +47,7 @@ void StripImprover::run(const PieceFrame& frame, const BoundaryNodes& boundary, 
         for (std::size_t i = 0; i < ring.size(); ++i) after_[at(ring[i])] = ring[i + 1 < ring.size() ? i + 1 : 0];
     collect();
     triangulate();
-    gradeTriangles();
+    gradeAll();
     if (!bad_.empty()) {
         keepAsBest();
         for (int pass = 0; pass < settings_.passes && !bad_.empty(); ++pass) {
@@ -57,7 +57,6 @@ void StripImprover::run(const PieceFrame& frame, const BoundaryNodes& boundary, 
             const bool added = (pass % 2 == 1 || !moved) && addNodes();
             if (!moved && !freed && !added) break;
             follow(freed);
-            gradeTriangles();
             if (grade_.betterThan(best_.grade)) keepAsBest();
         }
         restoreBest();
@@ -79,17 +78,23 @@ void StripImprover::triangulate() {
     flips_.run(strip_->points, strip_->sides);
 }
 
-/// Triangulates again what a pass has changed: the same as doing all anew, for Delaunay triangles are determined by the
-/// points.
+/// Triangulates and grades again what a pass has changed: the same as doing all anew, for Delaunay triangles are
+/// determined by the points.
 void StripImprover::follow(bool freed) {
     if (settings_.anew || (freed && !canFillLocally())) {
         collect();
         best_.collected = false;
         triangulate();
+        gradeAll();
         return;
     }
     if (freed) fillDropped();
     flips_.runFrom(changed_, strip_->points, strip_->sides);
+    sharpness_.resize(at(strip_->sides.triangles()));
+    for (const std::span<const int> sides : {std::span<const int>(changed_), flips_.turned()})
+        for (const int side : sides) sharpness_[at(side / 3)] = sharpness(side / 3);
+    listBad();
+    turnFlatOnes();
 }
 
 /// The corner where a side starts is the border's own: nothing inside can change its angle.
@@ -113,28 +118,28 @@ double StripImprover::sharpness(int triangle) const {
     return sharpest / static_cast<double>(area);
 }
 
-/// Cotangent of the smallest angle of a triangle that has a free node, and so no corner of the border's own.
-double StripImprover::freeSharpness(int triangle) const {
-    const std::array<int, 3> t = strip_->sides.corners(triangle);
-    const GridPoint a = point(t[0]), b = point(t[1]), c = point(t[2]);
-    const std::int64_t area = orientation(a, b, c);
-    if (area <= 0) return flat;
-    return std::max({dotAt(a, b, c), dotAt(b, c, a), dotAt(c, a, b)}) / static_cast<double>(area);
+/// Grades the strip and lists what is below the wanted angle; flat triangles are among that, and are turned.
+void StripImprover::gradeAll() {
+    gradeEach();
+    turnFlatOnes();
 }
 
-/// Grades the strip and lists what is below the wanted angle; flat triangles are among that, and are turned first.
-void StripImprover::gradeTriangles() {
-    gradeOnce();
-    if (!bad_.empty() && turnFlatTriangles(bad_, strip_->points, strip_->sides)) gradeOnce();
+void StripImprover::gradeEach() {
+    sharpness_.resize(at(strip_->sides.triangles()));
+    for (int t = 0; t < strip_->sides.triangles(); ++t) sharpness_[at(t)] = sharpness(t);
+    listBad();
 }
 
-void StripImprover::gradeOnce() {
+void StripImprover::turnFlatOnes() {
+    if (!bad_.empty() && turnFlatTriangles(bad_, strip_->points, strip_->sides)) gradeEach();
+}
+
+void StripImprover::listBad() {
     bad_.clear();
     grade_ = {0, -flat};
-    for (int t = 0; t < strip_->sides.triangles(); ++t) {
-        const double sharp = sharpness(t);
-        grade_.sharpest = std::max(grade_.sharpest, sharp);
-        if (sharp > wanted_) bad_.push_back(t);
+    for (std::size_t t = 0; t < sharpness_.size(); ++t) {
+        grade_.sharpest = std::max(grade_.sharpest, sharpness_[t]);
+        if (sharpness_[t] > wanted_) bad_.push_back(static_cast<int>(t));
     }
     grade_.bad = static_cast<int>(bad_.size());
 }
@@ -213,12 +218,24 @@ bool StripImprover::moveNodes() {
     return moved;
 }
 
-/// Cotangent of the smallest angle of the star of a free node, or one that is not below the limit; infinite if a
-/// triangle would turn over.
-double StripImprover::starSharpness(std::span<const int> triangles, double limit) const {
+void StripImprover::collectRim(int vertex) {
+    rim_.clear();
+    for (const int t : star(vertex)) {
+        std::array<int, 3> corners = strip_->sides.corners(t);
+        while (corners[0] != vertex) std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+        rim_.push_back({point(corners[1]), point(corners[2])});
+    }
+}
+
+/// Cotangent of the smallest angle of the triangles between the rim and a place for the node in its middle, or one that
+/// is not below the limit; infinite if a triangle would turn over. None of the angles is the border's own.
+double StripImprover::starSharpness(GridPoint middle, double limit) const {
     double sharpest = -flat;
-    for (const int t : triangles) {
-        sharpest = std::max(sharpest, freeSharpness(t));
+    for (const auto& [a, b] : rim_) {
+        const std::int64_t area = orientation(middle, a, b);
+        if (area <= 0) return flat;
+        const double dots = std::max({dotAt(middle, a, b), dotAt(a, b, middle), dotAt(b, middle, a)});
+        sharpest = std::max(sharpest, dots / static_cast<double>(area));
         if (sharpest >= limit) break;
     }
     return sharpest;
@@ -228,32 +245,29 @@ double StripImprover::starSharpness(std::span<const int> triangles, double limit
 bool StripImprover::moveNode(int vertex) {
     constexpr double leastGain = 1e-6; // [rad]: the cotangent of an angle falls by 1 + its square
     const GridPoint before = point(vertex);
-    GridPoint& place = strip_->points[at(vertex)];
-    const std::span<const int> triangles = star(vertex);
-    double best = starSharpness(triangles, flat);
+    GridPoint place = before;
+    collectRim(vertex);
+    double best = starSharpness(place, flat);
     double squaredReach = 0;
-    for (const int t : triangles)
-        for (const int other : strip_->sides.corners(t)) {
-            const double x = static_cast<double>(point(other).x) - before.x,
-                         y = static_cast<double>(point(other).y) - before.y;
-            squaredReach = std::max(squaredReach, x * x + y * y);
-        }
+    for (const auto& side : rim_)
+        for (const GridPoint other : side) squaredReach = std::max(squaredReach, dotAt(before, other, other));
     const double reach = std::sqrt(squaredReach), outwards = before.x < 0 ? -1 : 1;
     for (double step = 0.3 * reach; step > 0.02 * reach; step *= 0.6)
         for (int direction = 0; direction < 8; ++direction) {
-            const GridPoint here = place;
             const double dx = outwards * std::array<double, 8>{1, 0.7, 0, -0.7, -1, -0.7, 0, 0.7}[at(direction)];
             const double dy = std::array<double, 8>{0, 0.7, 1, 0.7, 0, -0.7, -1, -0.7}[at(direction)];
-            place = {here.x + static_cast<std::int32_t>(std::lround(dx * step)),
-                     here.y + static_cast<std::int32_t>(std::lround(dy * step))};
+            const GridPoint there{place.x + static_cast<std::int32_t>(std::lround(dx * step)),
+                                  place.y + static_cast<std::int32_t>(std::lround(dy * step))};
             const double least = best < flat ? best - leastGain * (1 + best * best) : flat;
-            const double sharp = starSharpness(triangles, least);
-            if (sharp < least) best = sharp;
-            else place = here;
+            const double sharp = starSharpness(there, least);
+            if (sharp >= least) continue;
+            best = sharp;
+            place = there;
         }
     if (place == before) return false;
+    strip_->points[at(vertex)] = place;
     moved_.emplace_back(nodeOf(vertex), place);
-    for (const int t : triangles) changed_.insert(changed_.end(), {3 * t, 3 * t + 1, 3 * t + 2});
+    for (const int t : star(vertex)) changed_.insert(changed_.end(), {3 * t, 3 * t + 1, 3 * t + 2});
     return true;
 }
 

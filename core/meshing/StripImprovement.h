@@ -34,8 +34,10 @@ private:
     void collect();
     void triangulate();
     void follow(bool freed);
-    void gradeTriangles();
-    void gradeOnce();
+    void gradeAll();
+    void gradeEach();
+    void turnFlatOnes();
+    void listBad();
     void keepAsBest();
     void restoreBest();
     void finish(const PieceFrame& frame);
@@ -54,8 +56,8 @@ private:
     void listCells(int vertex);
     [[nodiscard]] bool isBorderAngle(int side) const;
     [[nodiscard]] double sharpness(int triangle) const;
-    [[nodiscard]] double freeSharpness(int triangle) const;
-    [[nodiscard]] double starSharpness(std::span<const int> triangles, double limit) const;
+    void collectRim(int vertex);
+    [[nodiscard]] double starSharpness(GridPoint middle, double limit) const;
     [[nodiscard]] std::span<const int> star(int vertex) const;
     [[nodiscard]] GridPoint point(int vertex) const { return strip_->points[static_cast<std::size_t>(vertex)]; }
     [[nodiscard]] int nodeOf(int vertex) const { return layer_->stripNodes[static_cast<std::size_t>(vertex)]; }
@@ -74,6 +76,7 @@ private:
     StripSweep sweep_;
     DelaunayFlips flips_;
     Grade grade_;
+    std::vector<double> sharpness_;                  ///< of each triangle
     std::vector<int> bad_;                           ///< triangles below the wanted angle
     std::vector<int> after_;                         ///< of each border node in its ring
     std::vector<std::pair<int, GridPoint>> moved_;   ///< nodes that were moved, and where to
@@ -84,6 +87,7 @@ private:
     std::vector<char> touched_;                      ///< of each strip node: on a cell that the pass gave up
     std::vector<std::array<int, 3>> openSides_;      ///< start, end and number of sides without a twin
     std::vector<int> firstOfStar_, stars_, movable_; ///< the triangles of each strip node
+    std::vector<std::array<GridPoint, 2>> rim_;      ///< sides across from the node in hand, of the triangles at it
     std::vector<int> cells_;                         ///< at the node in hand
     std::vector<char> asked_;                        ///< of each node: on a bad triangle
     std::vector<std::pair<int, int>> mixedAt_;       ///< such a node and a mixed cell that has it; rising
