@@ -5,6 +5,7 @@
 #include "core/simulation/Garment.h"
 #include "core/study/Calibration.h"
 
+#include <algorithm>
 #include <benchmark/benchmark.h>
 #include <chrono>
 #include <cstdlib>
@@ -35,10 +36,32 @@ double calibration() {
     return seconds;
 }
 
+/// The share of rectangles if every side of the border that is none of a rectangle's had one element of its own: few
+/// elements can have two.
+double mostRectangles(const meshing::GarmentMesh& mesh) {
+    std::size_t rectangles = 0, others = 0;
+    for (const meshing::PieceMesh& piece : mesh.pieces) {
+        std::vector<int> after(piece.nodes.size(), -1); // of each node of the border, the next one
+        for (const auto& loop : piece.loops)
+            for (const meshing::EdgeNodes& edge : loop)
+                for (std::size_t i = 0; i + 1 < edge.size(); ++i)
+                    after[static_cast<std::size_t>(edge[i].node)] = edge[i + 1].node;
+        others += piece.nodes.size() - static_cast<std::size_t>(std::count(after.begin(), after.end(), -1));
+        for (const meshing::Rectangle& rectangle : piece.rectangles)
+            for (std::size_t i = 0; i < 4; ++i) {
+                const int from = rectangle.nodes[i], to = rectangle.nodes[(i + 1) % 4];
+                others -= after[static_cast<std::size_t>(from)] == to || after[static_cast<std::size_t>(to)] == from;
+            }
+        rectangles += piece.rectangles.size();
+    }
+    return static_cast<double>(rectangles) / static_cast<double>(rectangles + others);
+}
+
 void report(benchmark::State& state, const meshing::GarmentMesh& mesh, double seconds) {
     const auto& piece = mesh.report.total;
     state.counters["cells"] = piece.quads + piece.triangles;
     state.counters["rectangles%"] = 100 * piece.rectangleFraction;
+    state.counters["most%"] = 100 * mostRectangles(mesh);
     state.counters["angle°"] = piece.minimumAngle * 57.29577951308232;
     state.counters["bytes"] = static_cast<double>(piece.bytes);
     state.counters["calibrated"] = seconds / static_cast<double>(state.iterations()) / calibration();
