@@ -46,6 +46,14 @@ Json seamJson(const pattern::Pattern& pattern, const pattern::Seam& seam) {
     return json.set("difference", a - b).set("declaredEase", ease).set("order", seam.order);
 }
 
+Json tackJson(const pattern::Tack& tack) {
+    Json json;
+    json.set("id", tack.id.value).set("name", tack.name);
+    json.set("pieceA", tack.ends[0].piece.value).set("pieceB", tack.ends[1].piece.value);
+    json.set("buttonDiameter", tack.buttonDiameter ? Json(*tack.buttonDiameter) : Json());
+    return json.set("order", tack.order);
+}
+
 Json fabricJson(const material::Fabric& fabric) {
     Json json;
     json.set("id", fabric.id.value).set("name", fabric.name);
@@ -59,13 +67,14 @@ Json fabricJson(const material::Fabric& fabric) {
 
 Json documentJson(const document::Document& document) {
     const pattern::Pattern& pattern = document.pattern;
-    Json pieces(Json::Array{}), seams(Json::Array{}), fabrics(Json::Array{});
+    Json pieces(Json::Array{}), seams(Json::Array{}), tacks(Json::Array{}), fabrics(Json::Array{});
     for (const auto& piece : pattern.pieces) pieces.push(pieceJson(pattern, *piece));
     for (const pattern::Seam& seam : pattern.seams) seams.push(seamJson(pattern, seam));
+    for (const pattern::Tack& tack : pattern.tacks) tacks.push(tackJson(tack));
     for (const auto& fabric : pattern.fabrics) fabrics.push(fabricJson(*fabric));
     Json json;
     json.set("avatar", document.avatarFile.empty() ? Json() : Json(document.avatarFile));
-    return json.set("pieces", pieces).set("seams", seams).set("fabrics", fabrics);
+    return json.set("pieces", pieces).set("seams", seams).set("tacks", tacks).set("fabrics", fabrics);
 }
 
 Json bodyJson(const body::Body& body) {
@@ -127,6 +136,7 @@ int inspect(const InspectOptions& options) {
     if (const std::string* avatar = content->find("avatar")->asString()) fmt::print("avatar: {}\n", *avatar);
     printRows("pieces", *content->find("pieces"));
     printRows("seams", *content->find("seams"));
+    printRows("tacks", *content->find("tacks"));
     printRows("fabrics", *content->find("fabrics"));
     return done;
 }

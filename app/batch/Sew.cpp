@@ -14,6 +14,7 @@
 #include "core/simulation/Arrange.h"
 #include "core/simulation/Inspect.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace toile::batch {
@@ -93,8 +94,11 @@ std::string methodsOf(const simulation::SewReport& report) {
 void printSummary(const simulation::SewReport& report, const SewOptions& options) {
     std::size_t closed = 0;
     for (const simulation::SeamResult& seam : report.seams) closed += seam.state.merged;
-    fmt::print("{} particles, {} of {} seams closed, {:.2f} s simulated in {:.1f} s; {}{}\n", report.particles, closed,
-               report.seams.size(), report.simulatedSeconds, report.wallSeconds, report.ending,
+    const auto tacked = std::ranges::count(report.tacks, true, &simulation::TackResult::closed);
+    fmt::print("{} particles, {} of {} seams closed, {}{:.2f} s simulated in {:.1f} s; {}{}\n", report.particles,
+               closed, report.seams.size(),
+               report.tacks.empty() ? "" : fmt::format("{} of {} tacks, ", tacked, report.tacks.size()),
+               report.simulatedSeconds, report.wallSeconds, report.ending,
                report.residual ? fmt::format(", residual {:.1e}", *report.residual) : "");
     if (options.paper || options.method != dynamics::nameOf(dynamics::Method::xpbd))
         fmt::print("{}\n", methodsOf(report));

@@ -54,16 +54,30 @@ Json jsonOf(const Checkpoint::Seam& seam) {
     return json;
 }
 
+Checkpoint::Tack tackOf(JsonNode& node) {
+    return {.closed = node.required("closed").truth(),
+            .initialGap = node.required("initialGap").number(),
+            .start = node.required("start").number(),
+            .startGap = node.required("startGap").number()};
+}
+
+Json jsonOf(const Checkpoint::Tack& tack) {
+    Json json;
+    json.set("closed", tack.closed).set("initialGap", tack.initialGap);
+    return json.set("start", tack.start).set("startGap", tack.startGap);
+}
+
 } // namespace
 
 Result<void> writeCheckpoint(const Checkpoint& point, const std::string& path) {
-    Json seams{Json::Array{}}, json;
+    Json seams{Json::Array{}}, tacks{Json::Array{}}, json;
     for (const Checkpoint::Seam& seam : point.seams) seams.push(jsonOf(seam));
+    for (const Checkpoint::Tack& tack : point.tacks) tacks.push(jsonOf(tack));
     json.set("format", "toile-checkpoint").set("version", version).set("scene", point.scene);
     json.set("time", point.time).set("steps", point.steps).set("phase", nameOf(point.phase));
     json.set("method", point.method).set("sewnTime", point.sewnTime).set("restingTime", point.restingTime);
     json.set("largestSpeed", point.largestSpeed).set("goesOnAsItLay", point.goesOnAsItLay);
-    json.set("seams", std::move(seams));
+    json.set("seams", std::move(seams)).set("tacks", std::move(tacks));
     json.set("positions", vectorsOf(point.positions)).set("velocities", vectorsOf(point.velocities));
     return writeFileAtomically(path, toText(json));
 }
@@ -88,6 +102,7 @@ Result<Checkpoint> readCheckpoint(const std::string& path) {
                      .largestSpeed = root.required("largestSpeed").number(),
                      .goesOnAsItLay = root.required("goesOnAsItLay").truth()};
     for (JsonNode& seam : root.required("seams").items()) point.seams.push_back(seamOf(seam));
+    for (JsonNode& tack : root["tacks"].items()) point.tacks.push_back(tackOf(tack));
     point.positions = vectorsOf(root.required("positions"));
     point.velocities = vectorsOf(root.required("velocities"));
     if (reading.error) return tl::unexpected(*reading.error);

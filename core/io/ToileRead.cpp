@@ -237,6 +237,21 @@ Pin pinOf(JsonNode& node) {
             idOf<VertexId>(node.required("vertex"))};
 }
 
+ClothPoint clothPointOf(JsonNode node) {
+    return {idOf<PieceId>(node.required("piece")), pointOf(node.required("point"))};
+}
+
+Tack tackOf(JsonNode& node) {
+    Tack tack;
+    tack.id = idOf<TackId>(node.required("id"));
+    tack.name = node["name"].text(tack.id.value);
+    tack.ends = {clothPointOf(node.required("a")), clothPointOf(node.required("b"))};
+    tack.buttonDiameter = optionalLength(node["buttonDiameter"]);
+    tack.order = node["order"].integer(0, -1'000'000, 1'000'000);
+    tack.unknown = node.unknown();
+    return tack;
+}
+
 simulation::SceneSettings sceneOf(JsonNode& node) {
     simulation::SceneSettings scene;
     if (const auto g = node["gravity"].items(3); !g.empty())
@@ -277,6 +292,7 @@ document::Document documentOf(JsonNode& root) {
     document.pattern.pieces = listOf(root["pieces"], pieceOf);
     document.pattern.seams = listOf(root["seams"], seamOf);
     document.pattern.pins = listOf(root["pins"], pinOf);
+    document.pattern.tacks = listOf(root["tacks"], tackOf);
     document.unknown = root.unknown();
     document.nextId = std::max(document.nextId, firstFreeNumber(document.pattern));
     return document;

@@ -212,6 +212,22 @@ Json pinJson(const Pin& pin) {
     return json;
 }
 
+Json clothPointJson(const ClothPoint& place) {
+    Json json;
+    json.set("piece", place.piece.value).set("point", point(place.point));
+    return json;
+}
+
+Json tackJson(const Tack& tack) {
+    Json json;
+    json.set("id", tack.id.value).set("name", tack.name);
+    json.set("a", clothPointJson(tack.ends[0])).set("b", clothPointJson(tack.ends[1]));
+    if (tack.buttonDiameter) json.set("buttonDiameter", millimetres(*tack.buttonDiameter));
+    json.set("order", tack.order);
+    setUnknown(json, tack.unknown);
+    return json;
+}
+
 Json sceneJson(const simulation::SceneSettings& scene, const Json& unknown) {
     Json json;
     json.set("gravity", Json(Json::Array{scene.gravity.x, scene.gravity.y, scene.gravity.z}));
@@ -231,6 +247,7 @@ Json documentJson(const document::Document& document) {
     setList(json, "pieces", document.pattern.pieces, pieceJson);
     setList(json, "seams", document.pattern.seams, seamJson);
     setList(json, "pins", document.pattern.pins, pinJson);
+    setList(json, "tacks", document.pattern.tacks, tackJson);
     setUnknown(json, document.unknown);
     return json;
 }

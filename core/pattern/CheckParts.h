@@ -35,5 +35,7 @@ void checkRegions(const Piece& piece, Problems& problems);
 /// Seams, one by one and against each other. Lengths and directions are not looked at where a contour is unsound.
 void checkSeams(const Pattern& pattern, const std::set<PieceId>& unsound, const SeamTolerance& tolerance,
                 std::vector<Problem>& problems);
+/// Tacks. Places are not looked at where a contour is unsound.
+void checkTacks(const Pattern& pattern, const std::set<PieceId>& unsound, std::vector<Problem>& problems);
 
 } // namespace toile::pattern

@@ -33,6 +33,7 @@ int firstFreeNumber(const Pattern& pattern) {
     for (const Seam& seam : pattern.seams) note(seam.id);
     for (const auto& fabric : pattern.fabrics) note(fabric->id);
     for (const Pin& pin : pattern.pins) note(pin.id);
+    for (const Tack& tack : pattern.tacks) note(tack.id);
     return largest + 1;
 }
 

@@ -27,12 +27,14 @@ struct EdgeTag;
 struct RegionTag;
 struct SeamTag;
 struct PinTag;
+struct TackTag;
 using PieceId = Id<PieceTag>;
 using VertexId = Id<VertexTag>;
 using EdgeId = Id<EdgeTag>;
 using RegionId = Id<RegionTag>;
 using SeamId = Id<SeamTag>;
 using PinId = Id<PinTag>;
+using TackId = Id<TackTag>;
 
 struct Vertex {
     VertexId id;
@@ -196,12 +198,31 @@ struct Pin {
     friend bool operator==(const Pin&, const Pin&) = default;
 };
 
+/// A place of the cloth.
+struct ClothPoint {
+    PieceId piece;
+    Vec2 point; ///< in the plane of the piece as it is seen: of a mirror image, in the image [m]
+    friend bool operator==(const ClothPoint&, const ClothPoint&) = default;
+};
+
+/// Two places of the cloth that thread holds together: a tack, or a button and its hole.
+struct Tack {
+    TackId id;
+    std::string name;
+    std::array<ClothPoint, 2> ends;       ///< a button is sewn to the first
+    std::optional<double> buttonDiameter; ///< [m]; absent = thread alone
+    int order = 0;                        ///< smaller is closed first, with the seams of the same order
+    Json unknown;                         ///< keys of the file that we do not know; kept
+    friend bool operator==(const Tack&, const Tack&) = default;
+};
+
 /// All pieces with their seams and fabrics.
 struct Pattern {
     std::vector<Shared<Piece>> pieces;
     std::vector<Seam> seams;
     std::vector<Shared<Fabric>> fabrics;
     std::vector<Pin> pins;
+    std::vector<Tack> tacks{};
     friend bool operator==(const Pattern&, const Pattern&) = default;
 };
 

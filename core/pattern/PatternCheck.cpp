@@ -4,6 +4,7 @@
 #include "core/pattern/CheckParts.h"
 #include "core/pattern/Editing.h"
 #include "core/pattern/PatternMeasures.h"
+#include "core/pattern/PatternPieces.h"
 #include "core/pattern/PatternPlacement.h"
 
 #include <algorithm>
@@ -170,6 +171,7 @@ std::vector<Problem> checkPattern(const Pattern& pattern, const SeamTolerance& t
     }
     checkSeams(pattern, unsound, tolerance, problems);
     checkPins(pattern, problems);
+    checkTacks(pattern, unsound, problems);
     return problems;
 }
 

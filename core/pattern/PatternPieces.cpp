@@ -2,6 +2,7 @@
 #include "core/pattern/PatternPieces.h"
 
 #include "core/pattern/PatternMeasures.h"
+#include "core/pattern/PatternTacks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,14 +103,20 @@ Result<Edited> deletePiece(const Pattern& pattern, const PieceId& piece) {
             return std::ranges::any_of(side, [&](const SeamPart& part) { return isGone(part.piece); });
         });
     };
+    const auto isHeld = [&](const Tack& tack) {
+        return std::ranges::any_of(tack.ends, [&](const ClothPoint& end) { return isGone(end.piece); });
+    };
     Edited edited{pattern, {}};
     for (const auto& other : pattern.pieces)
         if (isGone(other->id) && other->id != piece) edited.warnings.push_back({toString(placeOf(*other)), why});
     for (const Seam& seam : pattern.seams)
         if (touches(seam)) edited.warnings.push_back({toString(placeOf(seam)), why});
+    for (const Tack& tack : pattern.tacks)
+        if (isHeld(tack)) edited.warnings.push_back({toString(placeOf(tack)), why});
     std::erase_if(edited.pattern.pieces, [&](const auto& other) { return isGone(other->id); });
     std::erase_if(edited.pattern.seams, touches);
     std::erase_if(edited.pattern.pins, [&](const Pin& pin) { return isGone(pin.piece); });
+    std::erase_if(edited.pattern.tacks, isHeld);
     return edited;
 }
 

@@ -13,11 +13,11 @@ namespace toile::pattern {
 /// Adds a mirror image: it follows every edit of its source. The line goes through two points of the source [m].
 [[nodiscard]] Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Vec2 lineStart,
                                              Vec2 lineEnd, std::string name, IdSource& ids);
-/// Adds a copy that goes its own way, with ids of its own and without seams and pins. A copy of a mirror image follows
-/// the same source.
+/// Adds a copy that goes its own way, with ids of its own and without seams, pins and tacks. A copy of a mirror image
+/// follows the same source.
 [[nodiscard]] Result<Pattern> duplicatePiece(const Pattern& pattern, const PieceId& piece, std::string name,
                                              IdSource& ids);
-/// Its mirror images, seams and pins go with it; a warning names each.
+/// Its mirror images, seams, pins and tacks go with it; a warning names each.
 [[nodiscard]] Result<Edited> deletePiece(const Pattern& pattern, const PieceId& piece);
 
 [[nodiscard]] Result<Pattern> renamePiece(const Pattern& pattern, const PieceId& piece, std::string name);

@@ -55,6 +55,10 @@ std::string fingerprintOf(const Scene& scene, const Garment& garment) {
     addModel(numbers, garment);
     if (scene.body)
         for (const Vec3& v : (*scene.body)->mesh.vertices) numbers.add(v);
+    for (const pattern::Tack& tack : scene.pattern.tacks) {
+        for (const pattern::ClothPoint& end : tack.ends) numbers.add(end.point.x, end.point.y);
+        numbers.add(tack.order);
+    }
     const SceneSettings& s = scene.settings;
     numbers.add(s.gravity);
     numbers.add(s.damping, s.skinOffset, s.bodyFriction, s.seamTime, s.frameStep, s.substeps, s.selfContact,

@@ -20,6 +20,12 @@ struct Checkpoint {
         std::vector<double> gaps;              ///< of each pair then [m]
         friend bool operator==(const Seam&, const Seam&) = default;
     };
+    struct Tack {
+        bool closed = false;
+        double initialGap = 0;           ///< where the pieces were placed [m]
+        double start = -1, startGap = 0; ///< when it began to close [s], negative = not yet; and its gap then [m]
+        friend bool operator==(const Tack&, const Tack&) = default;
+    };
     std::string scene; ///< fingerprint of what it belongs to
     double time = 0;   ///< [s]
     int steps = 0;
@@ -30,6 +36,7 @@ struct Checkpoint {
     double largestSpeed = 0;      ///< [m/s]
     bool goesOnAsItLay = false;   ///< after an edit
     std::vector<Seam> seams;      ///< as the pattern has them
+    std::vector<Tack> tacks;      ///< the same
     std::vector<Vec3> positions;  ///< of particles [m]
     std::vector<Vec3> velocities; ///< [m/s]
     friend bool operator==(const Checkpoint&, const Checkpoint&) = default;

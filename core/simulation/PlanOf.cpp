@@ -35,8 +35,9 @@ void leaveOutElements(StepPlan& plan, const Garment& garment) {
 } // namespace
 
 StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
-                std::vector<SeamPair> pairs, std::shared_ptr<const std::vector<Grip>> grips,
-                std::span<const Vec3> positions, std::span<const std::string> forced) {
+                std::vector<SeamPair> pairs, std::span<const TackState> tacks,
+                std::shared_ptr<const std::vector<Grip>> grips, std::span<const Vec3> positions,
+                std::span<const std::string> forced) {
     const auto isForced = [&](std::string_view stage) { return std::ranges::find(forced, stage) != forced.end(); };
     StepPlan plan;
     leaveOutElements(plan, garment);
@@ -46,6 +47,10 @@ StepPlan planOf(const Scene& scene, const Garment& garment, const collision::Bod
     if (!pairs.empty() || isForced("seams"))
         plan.add(std::make_unique<SeamClosing>(pairs, closing, garment.model.mass));
     else plan.leaveOut("seams", garment.mergedSeams.empty() ? "the pattern has no seam" : "all seams are merged");
+
+    if (!tacks.empty() || isForced("tacks"))
+        plan.add(std::make_unique<Tacks>(tacks, garment.particles, scene.settings.seamTime, garment.model.mass));
+    else plan.leaveOut("tacks", scene.paper ? "the paper knows seams alone" : "the pattern has no tack");
 
     if (!grips->empty() || isForced("hands"))
         plan.add(std::make_unique<Grips>(std::move(grips), scene.pattern, garment, positions));

@@ -136,6 +136,21 @@ void warnOfOpenSeams(SewReport& result) {
                  fmt::format("The seam is not closed; its gap is {:.1f} mm.", 1000 * seam.gap.maximum)});
 }
 
+void listTacks(SewReport& result, const Simulation& simulation) {
+    for (std::size_t i = 0; i < simulation.tacks().size(); ++i) {
+        const TackState& tack = simulation.tacks()[i];
+        const double gap = simulation.gapOfTack(i);
+        result.tacks.push_back({tack.name, tack.initialGap, gap, gap <= TackSettings{}.closedGap});
+    }
+}
+
+void warnOfOpenTacks(SewReport& result) {
+    for (const TackResult& tack : result.tacks)
+        if (!tack.closed)
+            result.warnings.push_back({fmt::format("tack \"{}\"", tack.name),
+                                       fmt::format("The tack is not closed; its gap is {:.1f} mm.", 1000 * tack.gap)});
+}
+
 /// One warning for each place, and no more than a reader can look at.
 void warnOfCrossedLayers(SewReport& result, const Simulation& simulation) {
     constexpr std::size_t most = 10;
@@ -173,6 +188,7 @@ void judgeWorn(SewReport& result, const Simulation& simulation, const SewSetting
     if (!scene.body || (*scene.body)->axes.empty()) return;
     WornReport worn = wornReport(drapeOf(simulation), **scene.body, *simulation.body(), settings.worn);
     if (!result.allClosed()) worn.why.push_back("Not every seam is closed.");
+    if (!result.allTacked()) worn.why.push_back("Not every tack is closed.");
     if (!result.atRest) worn.why.push_back("The garment is not at rest.");
     if (!result.contact.outsideBody) worn.why.push_back("The cloth is not outside the body.");
     if (length(scene.settings.gravity) == 0) worn.why.push_back("Without gravity nothing hangs on the body.");
@@ -186,8 +202,12 @@ bool SewReport::allClosed() const {
     return std::ranges::all_of(seams, [](const SeamResult& seam) { return seam.state.merged; });
 }
 
+bool SewReport::allTacked() const {
+    return std::ranges::all_of(tacks, &TackResult::closed);
+}
+
 bool SewReport::reachedItsGoal(const SewSettings& settings) const {
-    return allClosed() && contact.outsideBody && (settings.seconds || atRest);
+    return allClosed() && allTacked() && contact.outsideBody && (settings.seconds || atRest);
 }
 
 Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::stop_token stop,
@@ -209,7 +229,9 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     for (std::size_t seam = 0; seam < simulation.seams().size(); ++seam)
         result.seams.push_back(
             {simulation.seams()[seam], simulation.seams()[seam].merged ? SeamGap{} : simulation.gapOf(seam)});
+    listTacks(result, simulation);
     warnOfOpenSeams(result);
+    warnOfOpenTacks(result);
     warnOfCrossedLayers(result, simulation);
     warnOfHeldBackCloth(result, simulation);
     result.phases = simulation.phases();

@@ -24,6 +24,13 @@ struct SeamResult {
     SeamGap gap; ///< at the end
 };
 
+struct TackResult {
+    std::string name;
+    double initialGap = 0; ///< where the pieces were placed [m]
+    double gap = 0;        ///< what the ends are farther apart than the thread is long, at the end [m]
+    bool closed = false;   ///< no more than a millimetre
+};
+
 struct ContactSummary {
     double bodyPenetrationMaximum = 0;                ///< [m]
     std::optional<double> bodyClearanceMinimum;       ///< [m]; absent without a body
@@ -42,6 +49,7 @@ struct StageShare {
 struct SewReport {
     int particles = 0, springsStructural = 0, springsShear = 0, flexion = 0, bending = 0, twist = 0;
     std::vector<SeamResult> seams;
+    std::vector<TackResult> tacks;
     std::optional<WornReport> worn; ///< absent without a body that has limbs
     ContactSummary contact;
     double mass = 0; ///< of the cloth with its interfacing [kg]
@@ -64,8 +72,9 @@ struct SewReport {
     std::vector<Warning> warnings;
     std::string ending; ///< "at rest", "time is up" or "limit reached"
 
-    [[nodiscard]] bool allClosed() const;
-    /// Closed, at rest and outside the body.
+    [[nodiscard]] bool allClosed() const; ///< seams
+    [[nodiscard]] bool allTacked() const;
+    /// Seams and tacks closed, at rest and outside the body.
     [[nodiscard]] bool reachedItsGoal(const SewSettings& settings) const;
 };
 

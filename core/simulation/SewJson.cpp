@@ -20,6 +20,12 @@ Json toJson(const SeamResult& seam) {
     return json;
 }
 
+Json toJson(const TackResult& tack) {
+    Json json;
+    json.set("name", tack.name).set("initialGap", tack.initialGap).set("gap", tack.gap);
+    return json.set("closed", tack.closed);
+}
+
 Json toJson(const OpeningReport& opening) {
     Json json;
     json.set("name", opening.name)
@@ -89,6 +95,7 @@ Json toJson(const SewReport& report) {
     springs.set("flexion", report.flexion).set("bending", report.bending).set("twist", report.twist);
     json.set("springs", springs);
     json.set("seams", listOf(report.seams, [](const SeamResult& seam) { return toJson(seam); }));
+    json.set("tacks", listOf(report.tacks, [](const TackResult& tack) { return toJson(tack); }));
     json.set("worn", toJson(report.worn));
     json.set("contact", toJson(report.contact));
     json.set("mass", report.mass).set("clampedCells", report.clampedCells).set("paper", toJson(report.paper));

@@ -18,6 +18,7 @@ namespace {
 constexpr double restingSpeed = 0.005; // [m/s]
 constexpr double longEnough = 0.5;     ///< that slow, for a garment to be at rest [s]
 constexpr MergeRule mergeRule;
+constexpr TackSettings tackSettings;
 constexpr DressingSettings dressing;
 /// Of the methods that adapt their step: RMS error of a part [m].
 constexpr double positionTolerance = 1e-4;
@@ -53,6 +54,12 @@ Result<Garment> flatGarment(const Scene& scene, const MeshOverrides& overrides) 
 }
 
 /// Particles where nodes are; nodes of one particle are taken at their mean.
+/// The paper's way knows seams alone.
+Result<std::vector<TackState>> threadsOf(const Scene& scene, const Garment& garment) {
+    if (scene.paper) return std::vector<TackState>{};
+    return tacksOf(scene.pattern, *garment.mesh, tackSettings);
+}
+
 std::vector<Vec3> particlePositions(const ParticleMap& map, const std::vector<Vec3>& nodes) {
     std::vector<Vec3> sum(map.particleCount);
     std::vector<int> count(map.particleCount, 0);
@@ -106,10 +113,10 @@ double longSewn(double now) {
 } // namespace
 
 Simulation::Simulation(Scene scene, Garment garment, std::shared_ptr<const collision::BodySurface> body,
-                       MeshOverrides overrides)
+                       MeshOverrides overrides, std::vector<TackState> tacks)
     : scene_(std::move(scene)), garment_(std::make_unique<const Garment>(std::move(garment))), body_(std::move(body)),
       topology_(topologyOf(scene_.pattern, *garment_->mesh)), grips_(std::make_shared<std::vector<Grip>>()),
-      overrides_(std::move(overrides)) {
+      overrides_(std::move(overrides)), tacks_(std::move(tacks)) {
     state_.positions = particlePositions(garment_->particles, placedNodes(scene_.pattern, *garment_->mesh));
     state_.velocities.assign(state_.positions.size(), Vec3{});
     for (std::size_t seam = 0; seam < garment_->mesh->seams.size(); ++seam) {
@@ -120,8 +127,9 @@ Simulation::Simulation(Scene scene, Garment garment, std::shared_ptr<const colli
     }
     seamGaps_.resize(seams_.size());
     seamStart_.assign(seams_.size(), -1);
-    if (seams_.empty()) phase_ = Phase::draping;
-    startDueSeams();
+    for (std::size_t tack = 0; tack < tacks_.size(); ++tack) tacks_[tack].initialGap = gapOfTack(tack);
+    if (seams_.empty() && tacks_.empty()) phase_ = Phase::draping;
+    startDue();
     rebuildPlan();
 }
 
@@ -130,7 +138,9 @@ Result<Simulation> Simulation::create(Scene scene, const MeshOverrides& override
     if (!body) return tl::unexpected(body.error());
     auto garment = flatGarment(scene, overrides);
     if (!garment) return tl::unexpected(garment.error());
-    return Simulation(std::move(scene), std::move(*garment), std::move(*body), overrides);
+    auto tacks = threadsOf(scene, *garment);
+    if (!tacks) return tl::unexpected(tacks.error());
+    return Simulation(std::move(scene), std::move(*garment), std::move(*body), overrides, std::move(*tacks));
 }
 
 Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) {
@@ -140,7 +150,9 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) 
     if (!body) return tl::unexpected(body.error());
     auto garment = flatGarment(scene, {});
     if (!garment) return tl::unexpected(garment.error());
-    Simulation after(std::move(scene), std::move(*garment), std::move(*body), {});
+    auto tacks = threadsOf(scene, *garment);
+    if (!tacks) return tl::unexpected(tacks.error());
+    Simulation after(std::move(scene), std::move(*garment), std::move(*body), {}, std::move(*tacks));
 
     const std::vector<Vec3> draped = before.nodePositions();
     std::vector<Vec3> nodes = after.nodePositions();
@@ -163,7 +175,8 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) 
     after.grips_ = before.grips_;
     after.goesOnAsItLay_ = before.phase_ == Phase::draping || before.goesOnAsItLay_;
     after.seamStart_.assign(after.seams_.size(), -1);
-    after.startDueSeams();
+    for (TackState& tack : after.tacks_) tack.start = -1;
+    after.startDue();
     after.rebuildPlan();
     return after;
 }
@@ -180,7 +193,7 @@ void Simulation::rebuildPlan() {
     addCosts(formerCosts_, plan_.costs());
     Scene now = scene_;
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
-    plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), grips_, state_.positions, forced_);
+    plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), tacks_, grips_, state_.positions, forced_);
     plannedDamping_ = damping();
     if (scene_.paper) {
         integrator_ = integratorOf(dynamics::Method::subcycledEuler);
@@ -289,22 +302,35 @@ std::vector<std::size_t> Simulation::closingSeams() const {
     return closing;
 }
 
-bool Simulation::givenUp(std::size_t seam) const {
-    return seamStart_[seam] >= 0 && state_.time > seamStart_[seam] + scene_.settings.seamTime + patience;
+bool Simulation::isOver(double start) const {
+    return start >= 0 && state_.time > start + scene_.settings.seamTime + patience;
+}
+
+std::size_t Simulation::closingTacks() const {
+    return std::ranges::count_if(tacks_, [&](const TackState& tack) { return tack.start >= 0 && !tack.closed; });
 }
 
 Phase Simulation::duePhase() const {
     for (std::size_t seam = 0; seam < seams_.size(); ++seam)
         if (!seams_[seam].merged && !givenUp(seam)) return Phase::sewing;
+    for (const TackState& tack : tacks_)
+        if (!tack.closed && !isOver(tack.start)) return Phase::sewing;
     if (phase_ == Phase::sewing) return drapingMethod_ && !goesOnAsItLay_ ? Phase::shaking : Phase::draping;
     return state_.time > sewnTime_ + dressing.shakingTime ? Phase::draping : phase_;
 }
 
-void Simulation::startDueSeams() {
+void Simulation::startDue() {
     // The smallest order that is not done yet begins; one that cannot close does not hold up the next for ever.
     int due = std::numeric_limits<int>::max();
     for (std::size_t seam = 0; seam < seams_.size(); ++seam)
         if (!seams_[seam].merged && !givenUp(seam)) due = std::min(due, seams_[seam].order);
+    for (const TackState& tack : tacks_)
+        if (!tack.closed && !isOver(tack.start)) due = std::min(due, tack.order);
+    for (std::size_t tack = 0; tack < tacks_.size(); ++tack) {
+        if (tacks_[tack].start >= 0 || tacks_[tack].order > due) continue;
+        tacks_[tack].start = state_.time;
+        tacks_[tack].startGap = gapOfTack(tack);
+    }
     for (std::size_t seam = 0; seam < seams_.size(); ++seam) {
         if (seams_[seam].merged || seamStart_[seam] >= 0 || seams_[seam].order > due) continue;
         seamStart_[seam] = state_.time;
@@ -343,13 +369,27 @@ Result<void> Simulation::mergeReadySeams() {
     return {};
 }
 
+bool Simulation::hasClosed(const TackState& tack) const {
+    const ParticleMap& particles = garment_->particles;
+    return gapBetween(tack, particles, state_.positions) <= tackSettings.closedGap &&
+           length(wayBetween(tack, particles, state_.velocities)) <= tackSettings.closedSpeed;
+}
+
+/// From now on their threads hold with their whole strength, also where forces are solved for.
+void Simulation::holdClosedTacks() {
+    bool changed = false;
+    for (TackState& tack : tacks_)
+        if (tack.start >= 0 && !tack.closed && hasClosed(tack)) tack.closed = changed = true;
+    if (changed) rebuildPlan();
+}
+
 void Simulation::goOnDressing() {
-    const std::size_t closing = closingSeams().size();
-    startDueSeams();
+    const std::size_t closing = closingSeams().size() + closingTacks();
+    startDue();
     const Phase due = duePhase();
     if (due != phase_ && phase_ == Phase::sewing)
         sewnTime_ = goesOnAsItLay_ ? longSewn(state_.time) : state_.time; // what lay needs no levels to fall
-    if (due == phase_ && closingSeams().size() == closing && damping() == plannedDamping_ &&
+    if (due == phase_ && closingSeams().size() + closingTacks() == closing && damping() == plannedDamping_ &&
         levelsMayHelp() == plannedLevels_)
         return;
     phase_ = due;
@@ -373,7 +413,8 @@ Result<void> Simulation::advance(std::stop_token stop) {
         largestSpeed_ =
             std::max(largestSpeed_, geometry::distance(before.positions[i], state_.positions[i]) / duration);
     if (const auto sewn = mergeReadySeams(); !sewn) return sewn;
-    if (!closingSeams().empty() || restingTime_ >= longEnough) goesOnAsItLay_ = false;
+    holdClosedTacks();
+    if (!closingSeams().empty() || closingTacks() > 0 || restingTime_ >= longEnough) goesOnAsItLay_ = false;
     goOnDressing();
     restingTime_ = largestSpeed_ < restingSpeed && phase_ == Phase::draping ? restingTime_ + duration : 0;
     stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -416,6 +457,10 @@ SeamGap Simulation::gapOf(std::size_t seam) const {
     return gap;
 }
 
+double Simulation::gapOfTack(std::size_t tack) const {
+    return gapBetween(tacks_[tack], garment_->particles, state_.positions);
+}
+
 std::vector<Vec3> Simulation::nodePositions() const {
     std::vector<Vec3> nodes;
     nodes.reserve(garment_->particles.particleOf.size());
@@ -432,6 +477,8 @@ Frame Simulation::frame() const {
     frame.particles = garment_->particles.particleCount;
     for (const std::size_t seam : closingSeams())
         frame.largestSeamGap = std::max(frame.largestSeamGap, gapOf(seam).maximum);
+    for (std::size_t tack = 0; tack < tacks_.size(); ++tack)
+        if (!tacks_[tack].closed) frame.largestSeamGap = std::max(frame.largestSeamGap, gapOfTack(tack));
     frame.largestSpeed = largestSpeed_;
     frame.atRest = restingTime_ >= longEnough;
     return frame;

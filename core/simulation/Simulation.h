@@ -14,6 +14,7 @@
 #include "core/simulation/MeshInputOf.h"
 #include "core/simulation/Scene.h"
 #include "core/simulation/StepPlan.h"
+#include "core/simulation/Tacks.h"
 
 #include <memory>
 #include <stop_token>
@@ -105,6 +106,7 @@ public:
     [[nodiscard]] const Shared<FrameTopology>& topology() const { return topology_; }
     [[nodiscard]] const collision::BodySurface* body() const { return body_.get(); }
     [[nodiscard]] const std::vector<SeamState>& seams() const { return seams_; }
+    [[nodiscard]] const std::vector<TackState>& tacks() const { return tacks_; } ///< as the pattern has them
     [[nodiscard]] Phase phase() const { return phase_; }
     [[nodiscard]] const std::vector<PhaseRun>& phases() const { return phases_; } ///< so far, in order
     /// Nothing moves any more but settle().
@@ -115,6 +117,8 @@ public:
     [[nodiscard]] bool allSeamsMerged() const;
     /// Gap of an open seam's pairs now; zero when merged.
     [[nodiscard]] SeamGap gapOf(std::size_t seam) const;
+    /// How much the ends of a tack are farther apart now than its thread is long [m].
+    [[nodiscard]] double gapOfTack(std::size_t tack) const;
     /// Largest displacement of a particle in the last frame step over its duration [m/s].
     [[nodiscard]] double largestSpeed() const { return largestSpeed_; }
     /// How long the largest speed has stayed under 5 mm/s with no seam closing [s].
@@ -126,7 +130,7 @@ public:
 
 private:
     Simulation(Scene scene, Garment garment, std::shared_ptr<const collision::BodySurface> body,
-               MeshOverrides overrides);
+               MeshOverrides overrides, std::vector<TackState> tacks);
 
     void rebuildPlan();
     void planSubsteps();
@@ -138,11 +142,15 @@ private:
     void note(double duration, const dynamics::StepReport& step);
     [[nodiscard]] Phase duePhase() const;
     [[nodiscard]] Vec3 gravity() const { return phase_ == Phase::sewing ? Vec3{} : scene_.settings.gravity; }
-    [[nodiscard]] bool givenUp(std::size_t seam) const;
+    [[nodiscard]] bool givenUp(std::size_t seam) const { return isOver(seamStart_[seam]); }
+    [[nodiscard]] bool isOver(double start) const; ///< what began to close then is given up by now
+    [[nodiscard]] std::size_t closingTacks() const;
+    [[nodiscard]] bool hasClosed(const TackState& tack) const;
+    void holdClosedTacks();
     [[nodiscard]] std::vector<std::size_t> closingSeams() const;
     [[nodiscard]] bool mayMerge(std::size_t seam) const;
     [[nodiscard]] Result<void> mergeReadySeams();
-    void startDueSeams();
+    void startDue();
     void goOnDressing();
 
     Scene scene_;
@@ -164,6 +172,7 @@ private:
     std::vector<SeamState> seams_;
     std::vector<std::vector<double>> seamGaps_; ///< of each pair when its seam began to close [m]
     std::vector<double> seamStart_;             ///< when it began [s]; negative = not yet
+    std::vector<TackState> tacks_;
     Phase phase_ = Phase::sewing;
     bool goesOnAsItLay_ = false; ///< after an edit of a garment that lay: dressed as long as its seams close at once
     double sewnTime_ = 0;        ///< when the last seam was closed or given up [s]

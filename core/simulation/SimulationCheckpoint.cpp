@@ -21,6 +21,8 @@ Checkpoint Simulation::checkpoint() {
     for (std::size_t seam = 0; seam < seams_.size(); ++seam)
         point.seams.push_back(
             {seams_[seam].merged, seams_[seam].initialGap, seams_[seam].gapAtMerge, seamStart_[seam], seamGaps_[seam]});
+    for (const TackState& tack : tacks_)
+        point.tacks.push_back({tack.closed, tack.initialGap, tack.start, tack.startGap});
     return point;
 }
 
@@ -33,6 +35,8 @@ Result<Simulation> Simulation::resumed(Scene scene, const MeshOverrides& overrid
     Simulation after = std::move(*made);
     if (point.seams.size() != after.seams_.size())
         return refused(fmt::format("{} seams, not {}", point.seams.size(), after.seams_.size()));
+    if (point.tacks.size() != after.tacks_.size())
+        return refused(fmt::format("{} tacks, not {}", point.tacks.size(), after.tacks_.size()));
     std::vector<bool> merged;
     for (const Checkpoint::Seam& seam : point.seams) merged.push_back(seam.merged);
     auto garment = makeGarment(after.scene_.pattern, after.garment_->mesh, std::move(merged), after.scene_.paper);
@@ -64,6 +68,14 @@ Result<Simulation> Simulation::resumed(Scene scene, const MeshOverrides& overrid
         after.seams_[seam].gapAtMerge = from.gapAtMerge;
         after.seamStart_[seam] = from.start;
         after.seamGaps_[seam] = from.gaps;
+    }
+    for (std::size_t tack = 0; tack < point.tacks.size(); ++tack) {
+        const Checkpoint::Tack& from = point.tacks[tack];
+        TackState& to = after.tacks_[tack];
+        to.closed = from.closed;
+        to.initialGap = from.initialGap;
+        to.start = from.start;
+        to.startGap = from.startGap;
     }
     after.rebuildPlan();
     return after;

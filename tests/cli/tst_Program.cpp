@@ -100,7 +100,7 @@ void tst_Program::inspectPrintsJson() {
     const Finished finished = run({"inspect", sample("blouse.toile"), "--json"});
     QCOMPARE(finished.status, 0);
     const Json json = jsonOf(finished.out.toUtf8());
-    QCOMPARE(missingKeys(json, {"avatar", "pieces", "seams", "fabrics"}), QString());
+    QCOMPARE(missingKeys(json, {"avatar", "pieces", "seams", "tacks", "fabrics"}), QString());
     QCOMPARE(json.find("pieces")->asArray()->size(), std::size_t(7));
     QCOMPARE(json.find("seams")->asArray()->size(), std::size_t(21));
     for (const Json& seam : *json.find("seams")->asArray()) // drafted exactly: what is left over is declared

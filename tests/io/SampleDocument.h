@@ -78,8 +78,15 @@ inline document::Document everyField() {
     seam.stiffnessFactor = 2;
     seam.order = 3;
 
+    Tack button;
+    button.id = TackId("t1");
+    button.name = "top button";
+    button.ends = {{{PieceId("front"), {0.05, 0.35}}, {PieceId("frontRight"), {-0.05, 0.35}}}};
+    button.buttonDiameter = 0.011;
+    button.order = 2;
+
     document::Document document;
-    document.pattern = {{front, mirror}, {seam}, {poplin}, {{PinId("n1"), PieceId("front"), VertexId("v3")}}};
+    document.pattern = {{front, mirror}, {seam}, {poplin}, {{PinId("n1"), PieceId("front"), VertexId("v3")}}, {button}};
     document.avatarFile = "bodies/woman.glb";
     document.scene = {{0, -9.8, 0.1}, 0.7, 0.004, 0.25, 0.8, 1.0 / 50, 7, true};
     document.nextId = 42;

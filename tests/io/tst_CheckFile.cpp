@@ -131,6 +131,9 @@ void tst_CheckFile::aBrokenDocumentGetsOneLine_data() {
     QTest::newRow("text-for-a-number")
         << true << "text-for-a-number.toile:34: pieces[0].vertices[1].x: Expected a number, but found a text.";
     QTest::newRow("truncated")
+    QTest::newRow("tack-outside") << true
+                                  << "tack-outside.toile:99: tacks[0].b.point: tack \"button\": A tack holds cloth: "
+                                     "this point lies outside the piece \"Back\".";
         << true
         << "truncated.toile:50: this is not valid JSON: syntax error while parsing object key - invalid string: "
            "missing closing quote; last read: '\"tablePosition'; expected string literal.";
@@ -159,7 +162,7 @@ void tst_CheckFile::aBrokenDocumentGetsOneLine() {
 }
 
 void tst_CheckFile::everyBrokenDocumentIsListed() {
-    QCOMPARE(QDir(brokenFolder()).entryList({"*.toile"}).size(), 33);
+    QCOMPARE(QDir(brokenFolder()).entryList({"*.toile"}).size(), 34);
 }
 
 void tst_CheckFile::aFileOfAnUnknownKindIsRefused() {

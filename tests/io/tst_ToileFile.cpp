@@ -82,13 +82,14 @@ void tst_ToileFile::lengthsAreRoundedToAMillionthOfAMillimetre() {
 
 void tst_ToileFile::unknownKeysAreKept() {
     std::string text = toileText(tests::everyField());
-    for (const char* place : {"\"format\": \"toile\"", "\"damping\": 0.7", "\"name\": \"Poplin\"",
-                              "\"name\": \"Front right\"", "\"name\": \"shoulder\"", "\"name\": \"centre front\""})
+    for (const char* place :
+         {"\"format\": \"toile\"", "\"damping\": 0.7", "\"name\": \"Poplin\"", "\"name\": \"Front right\"",
+          "\"name\": \"shoulder\"", "\"name\": \"centre front\"", "\"name\": \"top button\""})
         text = replaced(text, place, std::string(place) + ", \"colour\": {\"red\": 1}");
     const auto document = documentFromText(text);
     QVERIFY2(document, document ? "" : toString(document.error()).c_str());
     const std::string written = toileText(*document);
-    QCOMPARE(QString::fromStdString(written).count("\"colour\": {"), 6);
+    QCOMPARE(QString::fromStdString(written).count("\"colour\": {"), 7);
     QCOMPARE(toileText(*documentFromText(written)), written);
 }
 

@@ -5,6 +5,7 @@
 #include "ui/tools/CutDart.h"
 #include "ui/tools/CutHole.h"
 #include "ui/tools/EditNotches.h"
+#include "ui/tools/SetTacks.h"
 
 #include <QTest>
 
@@ -31,6 +32,13 @@ private Q_SLOTS:
     void theEdgeSheetDeletesAHole();
 
     void theVertexSheetPins();
+
+    void twoClicksSetATack();
+    void besideThePiecesNothingIsTacked();
+    void anEndIsDragged();
+    void deleteTakesATackOut();
+    void onAnImageATackCountsInTheImage();
+    void theSheetMakesAButton();
 };
 
 namespace {
@@ -196,6 +204,89 @@ void tst_DetailTools::theVertexSheetPins() {
     QCOMPARE(hand.document.pattern.pins[0].vertex, corner.vertex);
     use<FlagRow>(hand, corner, QStringLiteral("pinned"), false);
     QVERIFY(hand.document.pattern.pins.empty());
+}
+
+void tst_DetailTools::twoClicksSetATack() {
+    SetTacks tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.02, 0.05});
+    QVERIFY(hand.document.pattern.tacks.empty());
+    QCOMPARE(hand.overlay(tool).marks.size(), std::size_t(1));
+    hand.click(tool, {0.31, 0.04});
+    QCOMPARE(hand.document.pattern.tacks.size(), std::size_t(1));
+    const pattern::Tack& tack = hand.document.pattern.tacks[0];
+    QVERIFY(tack.ends[0].piece == hand.piece(0).id && tack.ends[1].piece == hand.piece(1).id);
+    QVERIFY(distance(tack.ends[0].point, {0.02, 0.05}) < 1e-12 && distance(tack.ends[1].point, {0.01, 0.04}) < 1e-12);
+    QVERIFY(hand.selection == Selection{tack.id});
+    QVERIFY(hand.overlay(tool).marks.empty()); // ready for the next
+}
+
+void tst_DetailTools::besideThePiecesNothingIsTacked() {
+    SetTacks tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.15, 0});
+    QVERIFY(hand.edits == 0);
+    hand.click(tool, {0, 0});
+    hand.press(tool, {0.15, 0});
+    QVERIFY(hand.refused);
+    hand.press(tool, {0, 0}); // the same place
+    QVERIFY(hand.refused);
+    hand.key(tool, ToolKey::escape);
+    hand.click(tool, {0.3, 0}); // begins anew
+    QVERIFY(hand.document.pattern.tacks.empty());
+}
+
+void tst_DetailTools::anEndIsDragged() {
+    SetTacks tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0, 0});
+    hand.click(tool, {0.3, 0});
+    hand.drag(tool, {0.301, 0.001}, {0.32, 0.05});
+    QCOMPARE(hand.document.pattern.tacks.size(), std::size_t(1));
+    QVERIFY(distance(hand.document.pattern.tacks[0].ends[1].point, {0.02, 0.05}) < 1e-12);
+    QVERIFY(!hand.lastKey.empty()); // one step to undo
+    hand.drag(tool, {0.32, 0.05}, {0.45, 0.05});
+    QVERIFY(hand.document.pattern.tacks[0].ends[1].point.x <= 0.1); // it stays on its piece
+}
+
+void tst_DetailTools::deleteTakesATackOut() {
+    SetTacks tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0, 0});
+    hand.click(tool, {0.3, 0});
+    hand.click(tool, {0, 0}); // selects it
+    QCOMPARE(hand.document.pattern.tacks.size(), std::size_t(1));
+    hand.key(tool, ToolKey::erase);
+    QVERIFY(hand.document.pattern.tacks.empty());
+}
+
+void tst_DetailTools::onAnImageATackCountsInTheImage() {
+    SetTacks tool;
+    Hand hand{*document::edited(twoRectangles(), [](const pattern::Pattern& p, pattern::IdSource& ids) {
+        return addMirrorPiece(p, p.pieces[0]->id, {0.1, 0}, {0.1, 1}, "Image", ids).and_then([](const auto& next) {
+            return movePiece(next, next.pieces[2]->id, {0, 0.5});
+        });
+    })};
+    hand.click(tool, {0, 0});
+    hand.click(tool, {0.18, 0.52});
+    QCOMPARE(hand.document.pattern.tacks.size(), std::size_t(1));
+    QVERIFY(distance(hand.document.pattern.tacks[0].ends[1].point, {0.18, 0.02}) < 1e-12);
+}
+
+void tst_DetailTools::theSheetMakesAButton() {
+    SetTacks tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0, 0});
+    hand.click(tool, {0.3, 0});
+    const Item tack = hand.selection[0];
+    use<FlagRow>(hand, tack, QStringLiteral("button"), true);
+    QVERIFY(hand.document.pattern.tacks[0].buttonDiameter);
+    use<NumberRow>(hand, tack, QStringLiteral("diameter"), 0.02);
+    use<NumberRow>(hand, tack, QStringLiteral("bY"), 0.03);
+    QCOMPARE(*hand.document.pattern.tacks[0].buttonDiameter, 0.02);
+    QCOMPARE(hand.document.pattern.tacks[0].ends[1].point.y, 0.03);
+    use<ActionRow>(hand, tack, QStringLiteral("remove"));
+    QVERIFY(hand.document.pattern.tacks.empty());
 }
 
 QTEST_MAIN(tst_DetailTools)

@@ -2,8 +2,10 @@
 #include "UiFixtures.h"
 #include "WindowFixture.h"
 #include "core/pattern/PatternContours.h"
+#include "core/pattern/PatternFabrics.h"
 #include "core/pattern/PatternRegions.h"
 #include "core/pattern/PatternSeams.h"
+#include "core/pattern/PatternTacks.h"
 #include "ui/panels/ObjectList.h"
 #include "ui/panels/PropertySheet.h"
 #include "ui/window/Translation.h"
@@ -49,7 +51,13 @@ document::Document garment() {
             })
             .and_then([&](const pattern::Pattern& next) {
                 return addNotch(next, front.id, {front.outline.edges[1].id, 0.5});
-            });
+            })
+            .and_then([&](const pattern::Pattern& next) {
+                return addTack(next, {{{front.id, {0, 0}}, {back.id, {0, 0}}}}, "1", ids);
+            })
+            .and_then([&](const pattern::Pattern& next) { return setButtonDiameter(next, next.tacks[0].id, 0.011); })
+            .and_then(
+                [&](const pattern::Pattern& next) { return setInterfacing(next, front.id, pattern::Interfacing{}); });
     });
 }
 
@@ -104,9 +112,10 @@ void tst_Translation::everyPropertyIsTranslated() {
     document.pattern.fabrics.push_back(Shared<material::Fabric>(fabric));
     const FlatPattern flat = flattened(document.pattern);
     const pattern::Piece& front = *document.pattern.pieces[0];
-    for (const Item& item : Selection{
-             front.id, EdgeRef{front.id, front.outline.edges[1].id}, VertexRef{front.id, front.outline.vertices[0].id},
-             RegionRef{front.id, front.regions[0].id}, document.pattern.seams[0].id, fabric.id, SceneItem{}}) {
+    for (const Item& item :
+         Selection{front.id, EdgeRef{front.id, front.outline.edges[1].id},
+                   VertexRef{front.id, front.outline.vertices[0].id}, RegionRef{front.id, front.regions[0].id},
+                   document.pattern.seams[0].id, document.pattern.tacks[0].id, fabric.id, SceneItem{}}) {
         const PropertySheet sheet = sheetOf({document, flat, {item}}, {});
         QVERIFY2(isChinese(sheet.title), qPrintable(sheet.title));
         for (const PropertyRow& row : sheet.rows) {

@@ -30,6 +30,7 @@ class tst_Checkpoint : public QObject {
 private slots:
     void whatIsResumedGoesOnToTheSameBits_data();
     void whatIsResumedGoesOnToTheSameBits();
+    void howFarTacksAreIsKept();
     void aCheckpointOfAnotherSceneIsRefused();
     void aBrokenFileIsRefusedWithItsField_data();
     void aBrokenFileIsRefusedWithItsField();
@@ -81,6 +82,14 @@ void tst_Checkpoint::whatIsResumedGoesOnToTheSameBits() {
     QCOMPARE(resultHash(*resumed), resultHash(*simulation));
     QVERIFY(resumed->state().velocities == simulation->state().velocities);
     QVERIFY(resumed->checkpoint() == simulation->checkpoint());
+}
+
+void tst_Checkpoint::howFarTacksAreIsKept() {
+    Checkpoint point{.scene = "abc", .time = 1};
+    point.tacks = {{.closed = true, .initialGap = 0.05, .start = 0.25, .startGap = 0.04}, {}};
+    QVERIFY(io::writeCheckpoint(point, file()));
+    const auto read = io::readCheckpoint(file());
+    QVERIFY(read && *read == point);
 }
 
 void tst_Checkpoint::aCheckpointOfAnotherSceneIsRefused() {

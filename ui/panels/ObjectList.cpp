@@ -41,6 +41,14 @@ ObjectGroup seamsOf(const Pattern& pattern) {
     return group;
 }
 
+ObjectGroup tacksOf(const Pattern& pattern) {
+    ObjectGroup group{tr("Tacks and buttons"), {}};
+    for (std::size_t i = 0; i < pattern.tacks.size(); ++i)
+        group.lines.push_back(
+            {pattern.tacks[i].id, named(pattern.tacks[i].name, tr("Tack %1").arg(i + 1)), QStringLiteral("tack"), 0});
+    return group;
+}
+
 ObjectGroup fabricsOf(const Pattern& pattern) {
     ObjectGroup group{tr("Fabrics"), {}};
     for (const auto& fabric : pattern.fabrics)
@@ -60,7 +68,11 @@ ObjectGroup worldOf(const document::Document& document) {
 } // namespace
 
 std::vector<ObjectGroup> objectsOf(const document::Document& document) {
-    return {piecesOf(document.pattern), seamsOf(document.pattern), fabricsOf(document.pattern), worldOf(document)};
+    std::vector<ObjectGroup> groups{piecesOf(document.pattern), seamsOf(document.pattern)};
+    if (!document.pattern.tacks.empty()) groups.push_back(tacksOf(document.pattern));
+    groups.push_back(fabricsOf(document.pattern));
+    groups.push_back(worldOf(document));
+    return groups;
 }
 
 ObjectList::ObjectList(Workbench& workbench, QWidget* parent) : QTreeWidget(parent), workbench_(workbench) {

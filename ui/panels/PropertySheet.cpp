@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/PropertySheet.h"
 
+#include "core/pattern/PatternTacks.h"
+
 namespace toile::ui {
 namespace {
 
@@ -17,6 +19,9 @@ struct SheetOf {
     PropertySheet operator()(const EdgeRef& edge) const { return edgeSheet(desk, edge); }
     PropertySheet operator()(const RegionRef& region) const { return regionSheet(desk.document, region); }
     PropertySheet operator()(const SeamId& id) const { return seamSheet(desk, *findSeam(desk.document.pattern, id)); }
+    PropertySheet operator()(const TackId& id) const {
+        return tackSheet(desk.document, *findTack(desk.document.pattern, id));
+    }
     PropertySheet operator()(const FabricId& id) const {
         return fabricSheet(desk.document, *findFabric(desk.document.pattern, id));
     }

@@ -261,6 +261,7 @@ void paint(QPainter& painter, const ViewTransform& view, const PatternPicture& p
     paintPieces(painter, view, picture);
     if (picture.look.seams) paintSeams(painter, view, picture);
     if (picture.look.vertices) paintPoints(painter, view, picture);
+    paintTacks(painter, view, picture);
     paintPins(painter, view, picture);
     paintOverlay(painter, view, picture.overlay);
     if (picture.look.grid) paintRulers(painter, view);

@@ -36,6 +36,8 @@ void paintRulers(QPainter& painter, const ViewTransform& view);
 void paintPieces(QPainter& painter, const ViewTransform& view, const PatternPicture& picture);
 void paintSeams(QPainter& painter, const ViewTransform& view, const PatternPicture& picture);
 void paintPoints(QPainter& painter, const ViewTransform& view, const PatternPicture& picture);
+/// Both ends of every tack, with the thread between them; buttons with their holes.
+void paintTacks(QPainter& painter, const ViewTransform& view, const PatternPicture& picture);
 /// Rings round the points that are held.
 void paintPins(QPainter& painter, const ViewTransform& view, const PatternPicture& picture);
 void paintOverlay(QPainter& painter, const ViewTransform& view, const Overlay& overlay);

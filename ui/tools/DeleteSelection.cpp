@@ -6,6 +6,7 @@
 #include "core/pattern/PatternPieces.h"
 #include "core/pattern/PatternRegions.h"
 #include "core/pattern/PatternSeams.h"
+#include "core/pattern/PatternTacks.h"
 #include "ui/values/ShapeOwner.h"
 
 #include <QCoreApplication>
@@ -26,6 +27,9 @@ struct Without {
 
     Result<Pattern> operator()(const SeamId& seam) const {
         return findSeam(pattern, seam) ? removeSeam(pattern, seam) : pattern;
+    }
+    Result<Pattern> operator()(const TackId& tack) const {
+        return findTack(pattern, tack) ? removeTack(pattern, tack) : pattern;
     }
     Result<Pattern> operator()(const RegionRef& ref) const {
         if (existing({ref}, pattern).empty()) return pattern;
@@ -53,6 +57,7 @@ struct Without {
 
 struct StepName {
     QString operator()(const SeamId&) const { return tr("Delete seam"); }
+    QString operator()(const TackId&) const { return tr("Delete tack"); }
     QString operator()(const RegionRef&) const { return tr("Delete region"); }
     QString operator()(const VertexRef&) const { return tr("Delete points"); }
     QString operator()(const PieceId&) const { return tr("Delete piece"); }

@@ -128,6 +128,24 @@ std::optional<SeamId> seamAt(const Pattern& document, const FlatPattern& flat, V
     return best;
 }
 
+std::optional<TackEnd> tackEndAt(const Pattern& document, const FlatPattern& flat, Vec2 point, double tolerance) {
+    std::optional<TackEnd> best;
+    double nearest = tolerance;
+    for (const Tack& tack : document.tacks)
+        for (std::size_t end = 0; end < 2; ++end)
+            if (const auto at = positionOf(flat, tack.ends[end]); at && distance(*at, point) <= nearest) {
+                nearest = distance(*at, point);
+                best = TackEnd{tack.id, end};
+            }
+    return best;
+}
+
+std::optional<Vec2> positionOf(const FlatPattern& pattern, const ClothPoint& place) {
+    const FlatPiece* piece = findPiece(pattern, place.piece);
+    if (!piece) return std::nullopt;
+    return place.point + piece->piece.tablePosition;
+}
+
 std::optional<Vec2> positionOf(const FlatPattern& pattern, const VertexRef& vertex) {
     const FlatPiece* piece = findPiece(pattern, vertex.piece);
     const auto place = piece ? placeOf(piece->piece, vertex.vertex) : std::nullopt;

@@ -24,6 +24,13 @@ struct HandleRef {
     friend bool operator==(const HandleRef&, const HandleRef&) = default;
 };
 
+/// One end of a tack: 0 where a button is sewn to, 1 where it is held to.
+struct TackEnd {
+    pattern::TackId tack;
+    std::size_t end = 0;
+    friend bool operator==(const TackEnd&, const TackEnd&) = default;
+};
+
 /// What lies nearest to a point within a tolerance [m]; the topmost (last) piece wins.
 [[nodiscard]] std::optional<VertexRef> vertexAt(const FlatPattern& pattern, Vec2 point, double tolerance);
 [[nodiscard]] std::optional<HandleRef> handleAt(const FlatPattern& pattern, Vec2 point, double tolerance);
@@ -34,6 +41,10 @@ struct HandleRef {
 [[nodiscard]] std::optional<pattern::SeamId> seamAt(const pattern::Pattern& document, const FlatPattern& flat,
                                                     Vec2 point, double tolerance);
 
+[[nodiscard]] std::optional<TackEnd> tackEndAt(const pattern::Pattern& document, const FlatPattern& flat, Vec2 point,
+                                               double tolerance);
+
+[[nodiscard]] std::optional<Vec2> positionOf(const FlatPattern& pattern, const pattern::ClothPoint& place);
 [[nodiscard]] std::optional<Vec2> positionOf(const FlatPattern& pattern, const VertexRef& vertex);
 [[nodiscard]] std::optional<Vec2> positionOf(const FlatPattern& pattern, const HandleRef& handle);
 /// The ways of an edge from its start to its end as drawn; empty if it does not exist.

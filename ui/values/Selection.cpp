@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/values/Selection.h"
 
+#include "core/pattern/PatternTacks.h"
+
 #include <algorithm>
 
 namespace toile::ui {
@@ -24,6 +26,7 @@ struct Exists {
 
     bool operator()(const PieceId& id) const { return findPiece(pattern, id); }
     bool operator()(const SeamId& id) const { return findSeam(pattern, id); }
+    bool operator()(const TackId& id) const { return findTack(pattern, id); }
     bool operator()(const FabricId& id) const { return findFabric(pattern, id); }
     bool operator()(const VertexRef& ref) const {
         const Piece* piece = ownerOfContour(pattern, ref.piece);

@@ -35,8 +35,8 @@ struct SceneItem {
 };
 
 /// One thing of the document that can be looked at and changed.
-using Item = std::variant<pattern::PieceId, VertexRef, EdgeRef, RegionRef, pattern::SeamId, pattern::FabricId,
-                          AvatarItem, SceneItem>;
+using Item = std::variant<pattern::PieceId, VertexRef, EdgeRef, RegionRef, pattern::SeamId, pattern::TackId,
+                          pattern::FabricId, AvatarItem, SceneItem>;
 
 /// What is selected, in the order in which it was picked.
 using Selection = std::vector<Item>;

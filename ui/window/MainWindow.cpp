@@ -184,6 +184,7 @@ void MainWindow::makeToolBars() {
                          "tool.sewSegments",
                          "tool.sewFree",
                          "tool.editSewing",
+                         "tool.tack",
                          "-",
                          "look.mesh",
                          "view.fitAll"});

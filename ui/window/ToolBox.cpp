@@ -9,6 +9,7 @@
 #include "ui/tools/EditPoints.h"
 #include "ui/tools/EditSewing.h"
 #include "ui/tools/MovePieces.h"
+#include "ui/tools/SetTacks.h"
 #include "ui/tools/SewFree.h"
 #include "ui/tools/SewSegments.h"
 
@@ -45,6 +46,7 @@ ToolBox::ToolBox() {
     add("tool.sewSegments", tr("Sew edges"), "N", "sew-segments", std::make_unique<SewSegments>());
     add("tool.sewFree", tr("Sew parts of edges"), "M", "sew-free", std::make_unique<SewFree>());
     add("tool.editSewing", tr("Edit sewing"), "B", "sew-edit", std::make_unique<EditSewing>());
+    add("tool.tack", tr("Tack or button"), "Shift+K", "tack", std::make_unique<SetTacks>());
 }
 
 const ToolBox::Entry& ToolBox::entry(const QString& id) const {

@@ -147,6 +147,20 @@ Feature seamsThatMeet(double spacing) {
              {Role::inUse, "a seam closing beside a body", farFromABody(sewn(facingSquares(spacing, 0.1)))}}};
 }
 
+Feature tacks(double spacing) {
+    const Scene apart = facingSquares(spacing, 0.1);
+    Scene tacked = apart;
+    pattern::Tack tack;
+    tack.id = pattern::TackId("tack");
+    tack.ends = {{{pattern::PieceId("left"), {side, side / 2}}, {pattern::PieceId("right"), {0, side / 2}}}};
+    tacked.pattern.tacks = {tack};
+    return {"tacks",
+            "tacks",
+            {{Role::absent, "a pattern without a tack", apart},
+             {Role::forced, "without a tack, built all the same", apart, 0, {"tacks"}},
+             {Role::inUse, "a tack closing", tacked, 0}}};
+}
+
 Feature hands(double spacing) {
     const Scene sheet = heldSheet(spacing);
     const std::vector<Grip> grips{{.piece = "sheet", .material = {0.15, 0.05}, .target = {0.15, 1.1, 0}}};
@@ -307,9 +321,10 @@ std::string_view nameOf(Role role) {
 
 std::vector<Feature> allFeatures(bool quick) {
     const double spacing = quick ? 0.02 : 0.01;
-    return {seams(spacing),      hands(spacing),  bodyContact(spacing), seamsThatMeet(spacing), selfContact(spacing),
-            springs(spacing),    cells(spacing),  triangles(spacing),   bending(spacing),       twist(spacing),
-            seamHinges(spacing), slaves(spacing), pins(spacing),        damping(spacing),       coarseLevels(spacing)};
+    return {seams(spacing),         tacks(spacing),       hands(spacing),   bodyContact(spacing),
+            seamsThatMeet(spacing), selfContact(spacing), springs(spacing), cells(spacing),
+            triangles(spacing),     bending(spacing),     twist(spacing),   seamHinges(spacing),
+            slaves(spacing),        pins(spacing),        damping(spacing), coarseLevels(spacing)};
 }
 
 Feature garmentFeature(const std::string& name, const Scene& scene) {
