@@ -22,6 +22,8 @@ struct ClothSurface {
     std::vector<double> friction;              ///< μ of the cloth [–]
     std::vector<double>
         room; ///< at rest, to the nearest element that does not end here [m]: there is no push within it
+    std::vector<int> layers =
+        {}; ///< of each triangle; the higher lies on the right side of the lower. Empty = all alike
     std::vector<std::vector<int>> ignored; ///< particles that an open seam will bring here, rising; empty = none at all
 };
 
@@ -129,6 +131,10 @@ private:
     void placeSlaves(std::span<Vec3> positions) const;
 
     // SelfContactCrossings.cpp
+    [[nodiscard]] Vec3 orderlyWay(const collision::Piercing& piercing, const Vec3& normal) const;
+    [[nodiscard]] Vec3 shorteningWay(const collision::Piercing& piercing, const Vec3& normal,
+                                     std::span<const Vec3> positions) const;
+    void findLayersOfEdges();
     void seekPiercings(std::span<const Vec3> positions);
     void uncross(Substep& substep) const;
 
@@ -157,7 +163,8 @@ private:
     std::vector<Watch> watches_;
     std::vector<Contact> contacts_; ///< one per watch
     std::vector<collision::Piercing> piercings_;
-    bool mayPierce_ = true; ///< until a search has found no piercing
+    std::vector<int> edgeLayers_; ///< of each edge; −1 = of two. Empty where layers are all alike
+    bool mayPierce_ = true;       ///< until a search has found no piercing
     std::vector<Vec3> from_,
         moves_;                         ///< where particles were when neighbours were sought, the ways foreseen [m]
     double fromTime_ = 0, horizon_ = 0; ///< when that was, how long the ways take [s]

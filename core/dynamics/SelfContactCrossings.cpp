@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/SelfContact.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 /// What has passed through itself already: found, and drawn apart.
 namespace toile::dynamics {
@@ -25,28 +27,60 @@ std::vector<Vec3> SelfContact::crossingPlaces(std::span<const Vec3> positions) c
     return places;
 }
 
-/// Draws edges out of triangles they pass through: each pair goes apart the way that shortens the line along
-/// which the layers meet. Ref: Volino & Magnenat-Thalmann 2006, Resolving Surface Collisions through
-/// Intersection Contour Minimization
+void SelfContact::findLayersOfEdges() {
+    std::map<std::array<int, 2>, int> layers;
+    for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int a = surface_.triangles[t][k], b = surface_.triangles[t][(k + 1) % 3];
+            const auto [edge, isNew] = layers.try_emplace({std::min(a, b), std::max(a, b)}, surface_.layers[t]);
+            if (!isNew && edge->second != surface_.layers[t]) edge->second = -1;
+        }
+    edgeLayers_.clear();
+    for (const collision::SurfaceEdge& edge : proximity_->edges())
+        edgeLayers_.push_back(
+            layers.at({std::min(edge.vertices[0], edge.vertices[1]), std::max(edge.vertices[0], edge.vertices[1])}));
+}
+
+/// The edge of a higher layer goes to the right side of the triangle, that of a lower one to the other; nowhere where
+/// neither is higher.
+Vec3 SelfContact::orderlyWay(const collision::Piercing& piercing, const Vec3& normal) const {
+    if (edgeLayers_.empty() || edgeLayers_[piercing.edge] < 0) return {};
+    const int higher = edgeLayers_[piercing.edge] - surface_.layers[piercing.triangle];
+    return normal * (higher > 0 ? 1.0 : higher < 0 ? -1.0 : 0.0);
+}
+
+Vec3 SelfContact::shorteningWay(const collision::Piercing& piercing, const Vec3& normal,
+                                std::span<const Vec3> x) const {
+    const collision::SurfaceEdge& edge = proximity_->edges()[piercing.edge];
+    const auto& [p, q] = edge.vertices;
+    const Vec3 along = normalized(x[q] - x[p]);
+    const double steepness = dot(along, normal);
+    Vec3 shortening;
+    for (const int across : edge.opposite) {
+        if (across < 0) continue;
+        const Vec3 inward = x[across] - x[p], faceNormal = cross(x[q] - x[p], inward);
+        Vec3 line = cross(normal, faceNormal);
+        const double size = length(line);
+        if (size == 0) continue;
+        line = line / (dot(line, inward - along * dot(inward, along)) > 0 ? size : -size);
+        shortening += line - normal * (dot(along, line) / steepness);
+    }
+    return shortening;
+}
+
+/// Draws edges out of triangles they pass through: each pair goes apart to the sides that their layers belong to or,
+/// where these are alike, the way that shortens the line along which the layers meet. Ref: Volino & Magnenat-Thalmann
+/// 2006, Resolving Surface Collisions through Intersection Contour Minimization
 void SelfContact::uncross(Substep& substep) const {
     const auto& x = substep.positions;
-    for (const auto& [edge, triangle] : piercings_) {
-        const auto& [p, q] = proximity_->edges()[edge].vertices;
-        const auto& corners = proximity_->triangles()[triangle];
+    for (const collision::Piercing& piercing : piercings_) {
+        const auto& [p, q] = proximity_->edges()[piercing.edge].vertices;
+        const auto& corners = proximity_->triangles()[piercing.triangle];
         const Vec3 &a = x[corners[0]], &b = x[corners[1]], &c = x[corners[2]];
         if (!collision::segmentPierces(x[p], x[q], a, b, c)) continue;
-        const Vec3 normal = normalized(cross(b - a, c - a)), along = normalized(x[q] - x[p]);
-        const double steepness = dot(along, normal);
-        Vec3 shortening; // where the edge should go
-        for (const int across : proximity_->edges()[edge].opposite) {
-            if (across < 0) continue;
-            const Vec3 inward = x[across] - x[p], faceNormal = cross(x[q] - x[p], inward);
-            Vec3 line = cross(normal, faceNormal);
-            const double size = length(line);
-            if (size == 0) continue;
-            line = line / (dot(line, inward - along * dot(inward, along)) > 0 ? size : -size);
-            shortening += line - normal * (dot(along, line) / steepness);
-        }
+        const Vec3 normal = normalized(cross(b - a, c - a));
+        Vec3 shortening = orderlyWay(piercing, normal); // where the edge should go
+        if (shortening == Vec3{}) shortening = shorteningWay(piercing, normal, x);
         const double size = length(shortening);
         if (!(size > 1e-6) || !std::isfinite(size)) continue; // the line would not become shorter
         const double t = dot(normal, a - x[p]) / dot(normal, x[q] - x[p]);

@@ -88,7 +88,10 @@ void SelfContact::standStill(Substep& substep) {
 }
 
 void SelfContact::prepareSearch(std::span<const Vec3> positions) {
-    if (!proximity_) proximity_.emplace(surface_.triangles, positions);
+    if (!proximity_) {
+        proximity_.emplace(surface_.triangles, positions);
+        if (!surface_.layers.empty()) findLayersOfEdges();
+    }
     if (mayPierce_) seekPiercings(positions);
 }
 

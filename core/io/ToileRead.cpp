@@ -165,6 +165,7 @@ Shared<Piece> pieceOf(JsonNode& node) {
     piece.name = node["name"].text(piece.id.value);
     piece.fabric = FabricId(node["fabric"].text());
     if (const JsonNode fused = node["interfacing"]; fused.exists()) piece.interfacing = interfacingOf(fused);
+    piece.layer = node["layer"].integer(0, -1'000'000, 1'000'000);
     piece.spacing = lengthOf(node["spacing"], piece.spacing);
     piece.grain = angleOf(node["grainDegrees"]);
     piece.seamAllowance = lengthOf(node["seamAllowance"], piece.seamAllowance);

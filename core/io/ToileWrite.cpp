@@ -143,6 +143,7 @@ Json pieceJson(const Shared<Piece>& shared) {
     Json json;
     json.set("id", piece.id.value).set("name", piece.name).set("fabric", piece.fabric.value);
     if (piece.interfacing) json.set("interfacing", interfacingJson(*piece.interfacing));
+    if (piece.layer != 0) json.set("layer", piece.layer);
     json.set("spacing", millimetres(piece.spacing));
     json.set("grainDegrees", degrees(piece.grain)).set("seamAllowance", millimetres(piece.seamAllowance));
     json.set("rule", nameIn(lineRuleNames, piece.rule)).set("regionBorder", nameIn(regionBorderNames, piece.border));

@@ -144,8 +144,9 @@ struct Piece {
     double grain = 0; ///< direction of warp from +y, counter-clockwise [rad]
     FabricId fabric;
     std::optional<Interfacing> interfacing; ///< a mirror image has its own
-    double spacing = 0.02;                  ///< ε_m [m]
-    double seamAllowance = 0.01;            ///< [m]
+    int layer = 0;               ///< where pieces overlap, the higher lies outside; a mirror image has its own
+    double spacing = 0.02;       ///< ε_m [m]
+    double seamAllowance = 0.01; ///< [m]
     std::vector<Region> regions;
     std::vector<Notch> notches;
     std::vector<InternalLine> internalLines;

@@ -50,6 +50,8 @@ void checkNumbers(const Pattern& pattern, const Piece& piece, Problems& problems
                        fmt::format("The spacing is {} mm, but must be a positive length.", piece.spacing * 1000));
     if (!(piece.seamAllowance >= 0 && std::isfinite(piece.seamAllowance)))
         problems.error("seamAllowance", "A seam allowance cannot be negative.");
+    if (piece.layer < 0 || piece.layer > outermostLayer)
+        problems.error("layer", fmt::format("The layer is {}, but must be from 0 to {}.", piece.layer, outermostLayer));
     if (!std::isfinite(piece.grain)) problems.error("grainDegrees", "The grain needs a finite angle.");
     if (!geometry::isFinite(piece.tablePosition))
         problems.error("tablePosition", "A position must have finite coordinates.");

@@ -163,6 +163,16 @@ Result<Pattern> setSeamAllowance(const Pattern& pattern, const PieceId& piece, d
     });
 }
 
+Result<Pattern> setLayer(const Pattern& pattern, const PieceId& piece, int layer) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        if (layer < 0 || layer > outermostLayer)
+            return fail(ErrorCode::invalidInput, fmt::format("A layer is a number from 0 to {}.", outermostLayer),
+                        placeOf(p));
+        p.layer = layer;
+        return {};
+    });
+}
+
 Result<Pattern> setLineRule(const Pattern& pattern, const PieceId& piece, LineRule rule) {
     return changed(pattern, piece, [&](Piece& p) -> Result<void> {
         p.rule = rule;

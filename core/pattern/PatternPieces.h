@@ -8,6 +8,8 @@ namespace toile::pattern {
 
 // Edits of whole pieces. All are pure.
 
+constexpr int outermostLayer = 100;
+
 /// Adds a piece that has its id (IdSource, contourThrough). Error when the id is taken or the outline is empty.
 [[nodiscard]] Result<Pattern> addPiece(const Pattern& pattern, Piece piece);
 /// Adds a mirror image: it follows every edit of its source. The line goes through two points of the source [m].
@@ -28,6 +30,8 @@ namespace toile::pattern {
 /// ε_m [m].
 [[nodiscard]] Result<Pattern> setSpacing(const Pattern& pattern, const PieceId& piece, double spacing);
 [[nodiscard]] Result<Pattern> setSeamAllowance(const Pattern& pattern, const PieceId& piece, double allowance);
+/// Where pieces overlap, the higher layer lies outside; 0 to 100.
+[[nodiscard]] Result<Pattern> setLayer(const Pattern& pattern, const PieceId& piece, int layer);
 [[nodiscard]] Result<Pattern> setLineRule(const Pattern& pattern, const PieceId& piece, LineRule rule);
 [[nodiscard]] Result<Pattern> setRegionBorder(const Pattern& pattern, const PieceId& piece, RegionBorder border);
 

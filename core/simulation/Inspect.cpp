@@ -6,6 +6,7 @@
 #include "core/cloth/Strain.h"
 #include "core/collision/Intersections.h"
 #include "core/dynamics/SelfContact.h"
+#include "core/simulation/LayersApart.h"
 #include "core/simulation/Topology.h"
 
 #include <algorithm>
@@ -123,6 +124,8 @@ ContactSummary contactOf(const Simulation& simulation) {
     ContactSummary summary;
     const geometry::TriangleMesh cloth = clothMesh(simulation);
     summary.selfIntersections = static_cast<int>(collision::selfIntersectingTriangles(cloth).size());
+    summary.nodesInWrongOrder =
+        nodesInWrongOrder(simulation.scene().pattern, *simulation.garment().mesh, simulation.nodePositions());
     if (const auto* stage = dynamic_cast<const dynamics::SelfContact*>(simulation.plan().find("self-contact")))
         summary.guarantee = stage->guaranteed();
     const collision::BodySurface* body = simulation.body();

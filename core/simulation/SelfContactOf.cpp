@@ -16,6 +16,7 @@ struct RestTriangle {
     std::array<int, 3> particles;
     std::array<double, 3> sides;
     double area; ///< [m²]
+    std::size_t piece;
 };
 
 /// Merging may leave a triangle with two corners on one particle; it has no area then and is left out.
@@ -24,7 +25,7 @@ std::vector<RestTriangle> restTriangles(const Garment& garment, const ParticleMa
     for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece) {
         const meshing::PieceMesh& mesh = garment.mesh->pieces[piece];
         for (const auto& corners : mesh.display) {
-            RestTriangle t{};
+            RestTriangle t{.piece = piece};
             for (int k = 0; k < 3; ++k) {
                 t.particles[k] = particles.particleOf[particles.firstNode[piece] + corners[k]];
                 t.sides[k] = geometry::distance(mesh.nodes[corners[(k + 1) % 3]], mesh.nodes[corners[(k + 2) % 3]]);
@@ -145,7 +146,12 @@ bool canReachItself(const Garment& garment) {
 std::unique_ptr<dynamics::SelfContact> selfContactOf(const Scene& scene, const Garment& garment) {
     const std::vector<RestTriangle> triangles = restTriangles(garment, garment.particles);
     dynamics::ClothSurface surface;
-    for (const RestTriangle& t : triangles) surface.triangles.push_back(t.particles);
+    const bool layered = std::ranges::any_of(
+        scene.pattern.pieces, [&](const auto& piece) { return piece->layer != scene.pattern.pieces.front()->layer; });
+    for (const RestTriangle& t : triangles) {
+        surface.triangles.push_back(t.particles);
+        if (layered) surface.layers.push_back(scene.pattern.pieces[t.piece]->layer);
+    }
     surface.halfThickness = garment.halfThickness;
     surface.friction = garment.friction;
     surface.room = roomOf(triangles, garment.particles.particleCount);

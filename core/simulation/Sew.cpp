@@ -163,6 +163,12 @@ void warnOfCrossedLayers(SewReport& result, const Simulation& simulation) {
              fmt::format("Layers have crossed here and could not be drawn apart ({} of {}).", i + 1, places.size())});
 }
 
+void warnOfWrongOrder(SewReport& result) {
+    if (result.contact.nodesInWrongOrder > 0)
+        result.warnings.push_back(
+            {"layers", fmt::format("{} nodes lie behind a piece of a lower layer.", result.contact.nodesInWrongOrder)});
+}
+
 void warnOfHeldBackCloth(SewReport& result, const Simulation& simulation) {
     for (const StepPlan::StageCost& stage : simulation.stageCosts())
         if (stage.heldBack > 0)
@@ -238,6 +244,7 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     warnOfUnsolvedSteps(result);
     for (const Warning& warning : simulation.garment().mesh->report.warnings) result.warnings.push_back(warning);
     result.contact = contactOf(simulation);
+    warnOfWrongOrder(result);
     judgeWorn(result, simulation, settings);
     result.strain = strainOf(simulation);
     result.curvature = curvatureOf(simulation);

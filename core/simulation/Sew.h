@@ -35,6 +35,7 @@ struct ContactSummary {
     double bodyPenetrationMaximum = 0;                ///< [m]
     std::optional<double> bodyClearanceMinimum;       ///< [m]; absent without a body
     int selfIntersections = 0, bodyIntersections = 0; ///< pairs of triangles, by the independent exact test
+    int nodesInWrongOrder = 0;                        ///< behind a piece of a lower layer within 20 mm
     bool guarantee = false;  ///< self-contact has kept all layers apart since it last found any crossed
     bool outsideBody = true; ///< no intersection, and a clearance of at least a third of the skin offset
 };

@@ -75,6 +75,7 @@ Json toJson(const ContactSummary& contact) {
     json.set("bodyPenetrationMaximum", contact.bodyPenetrationMaximum);
     json.set("bodyClearanceMinimum", numberOrNull(contact.bodyClearanceMinimum));
     json.set("selfIntersections", contact.selfIntersections).set("bodyIntersections", contact.bodyIntersections);
+    json.set("nodesInWrongOrder", contact.nodesInWrongOrder);
     return json.set("outsideBody", contact.outsideBody).set("guarantee", contact.guarantee);
 }
 

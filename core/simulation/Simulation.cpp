@@ -2,6 +2,7 @@
 #include "core/simulation/Simulation.h"
 
 #include "core/simulation/CarryOver.h"
+#include "core/simulation/LayersApart.h"
 #include "core/simulation/LevelsOf.h"
 #include "core/simulation/PlanOf.h"
 #include "core/simulation/SeamClosing.h"
@@ -53,13 +54,13 @@ Result<Garment> flatGarment(const Scene& scene, const MeshOverrides& overrides) 
     return makeGarment(scene.pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), std::move(merged), scene.paper);
 }
 
-/// Particles where nodes are; nodes of one particle are taken at their mean.
 /// The paper's way knows seams alone.
 Result<std::vector<TackState>> threadsOf(const Scene& scene, const Garment& garment) {
     if (scene.paper) return std::vector<TackState>{};
     return tacksOf(scene.pattern, *garment.mesh, tackSettings);
 }
 
+/// Particles where nodes are; nodes of one particle are taken at their mean.
 std::vector<Vec3> particlePositions(const ParticleMap& map, const std::vector<Vec3>& nodes) {
     std::vector<Vec3> sum(map.particleCount);
     std::vector<int> count(map.particleCount, 0);
@@ -117,7 +118,8 @@ Simulation::Simulation(Scene scene, Garment garment, std::shared_ptr<const colli
     : scene_(std::move(scene)), garment_(std::make_unique<const Garment>(std::move(garment))), body_(std::move(body)),
       topology_(topologyOf(scene_.pattern, *garment_->mesh)), grips_(std::make_shared<std::vector<Grip>>()),
       overrides_(std::move(overrides)), tacks_(std::move(tacks)) {
-    state_.positions = particlePositions(garment_->particles, placedNodes(scene_.pattern, *garment_->mesh));
+    state_.positions = particlePositions(garment_->particles,
+                                         placedNodes(layersApart(scene_.pattern, *garment_->mesh), *garment_->mesh));
     state_.velocities.assign(state_.positions.size(), Vec3{});
     for (std::size_t seam = 0; seam < garment_->mesh->seams.size(); ++seam) {
         const pattern::Seam& authored = scene_.pattern.seams[seam];

@@ -49,6 +49,16 @@ double meanX(const Cloth& cloth) {
     return sum / count;
 }
 
+/// Two sheets that overlap by a cell and a half at their borders, and slope through each other.
+Cloth crossedSheets() {
+    Cloth cloth;
+    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) { return Vec3{m.x - 0.1, 0.1 * (m.x - 0.09), -m.y}; });
+    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) {
+        return Vec3{m.x - 0.015, -0.1 * (m.x - 0.008), -0.003 - m.y};
+    });
+    return cloth;
+}
+
 struct Run {
     Cloth& cloth;
     SelfContact contact;
@@ -78,6 +88,8 @@ private slots:
     void aMeshFinerThanTheClothIsThickStaysFlat();
     void momentumIsKeptWhenLayersMeet();
     void layersThatHaveCrossedAreDrawnApart();
+    void crossedPiecesGoToTheSidesOfTheirLayers_data();
+    void crossedPiecesGoToTheSidesOfTheirLayers();
     void whatASeamWillBringTogetherIsNotPushed();
     void slavesOfTwoRegionsAreHeldToo();
     void equalStartsGiveEqualBits();
@@ -175,11 +187,7 @@ void tst_SelfContact::momentumIsKeptWhenLayersMeet() {
 }
 
 void tst_SelfContact::layersThatHaveCrossedAreDrawnApart() {
-    Cloth cloth; // two sheets that overlap by a cell and a half at their borders, and slope through each other
-    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) { return Vec3{m.x - 0.1, 0.1 * (m.x - 0.09), -m.y}; });
-    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) {
-        return Vec3{m.x - 0.015, -0.1 * (m.x - 0.008), -0.003 - m.y};
-    });
+    Cloth cloth = crossedSheets();
     QVERIFY(cloth.intersections() > 10);
     Run run(cloth, 10);
     run.frames(1, {});
@@ -190,6 +198,35 @@ void tst_SelfContact::layersThatHaveCrossedAreDrawnApart() {
     QCOMPARE(cloth.intersections(), 0);
     QCOMPARE(run.contact.crossings(), 0);
     QVERIFY(run.contact.guaranteed() && run.contact.crossingPlaces(cloth.state.positions).empty());
+}
+
+void tst_SelfContact::crossedPiecesGoToTheSidesOfTheirLayers_data() {
+    QTest::addColumn<int>("left");
+    QTest::addColumn<int>("right");
+    QTest::newRow("left over right") << 1 << 0;
+    QTest::newRow("right over left") << 0 << 3;
+}
+
+void tst_SelfContact::crossedPiecesGoToTheSidesOfTheirLayers() {
+    QFETCH(int, left);
+    QFETCH(int, right);
+    Cloth cloth = crossedSheets(); // their right sides look upwards
+    const std::size_t half = cloth.surface.triangles.size() / 2;
+    cloth.surface.layers.assign(half, left);
+    cloth.surface.layers.resize(2 * half, right);
+    Run run(cloth, 10);
+    run.frames(120, {});
+    QCOMPARE(cloth.intersections(), 0);
+    QVERIFY(run.contact.guaranteed());
+    const auto heightOf = [&](int first, int last) { // mean of what lies in the overlap
+        double sum = 0;
+        int count = 0;
+        for (int p = first; p < last; ++p)
+            if (const Vec3& x = cloth.state.positions[p]; x.x > -0.012 && x.x < -0.003) sum += x.y, ++count;
+        return sum / count;
+    };
+    const int middle = cloth.model.particleCount() / 2, all = cloth.model.particleCount();
+    QVERIFY((heightOf(0, middle) > heightOf(middle, all)) == (left > right));
 }
 
 void tst_SelfContact::whatASeamWillBringTogetherIsNotPushed() {

@@ -15,6 +15,7 @@ inline document::Document everyField() {
     front.name = "Front \"left\"";
     front.fabric = FabricId("poplin");
     front.interfacing = Interfacing{8, 0.03};
+    front.layer = 1;
     front.spacing = 0.015;
     front.grain = std::numbers::pi / 6;
     front.seamAllowance = 0.012;

@@ -74,6 +74,9 @@ void tst_CheckFile::aBrokenDocumentGetsOneLine_data() {
                                             "edge \"waist\" has no length: its two points coincide.";
     QTest::newRow("hole-outside")
         << true << "hole-outside.toile:45: pieces[0].holes[0]: piece \"Front\": The hole lies outside the piece.";
+    QTest::newRow("layer-too-high") << true
+                                    << "layer-too-high.toile:49: pieces[1].layer: piece \"Back\": The layer is 1000, "
+                                       "but must be from 0 to 100.";
     QTest::newRow("mirror-of-nothing")
         << true
         << "mirror-of-nothing.toile:76: pieces[2].mirror.source: piece \"Image\": There is no piece \"nobody\".";
@@ -128,12 +131,12 @@ void tst_CheckFile::aBrokenDocumentGetsOneLine_data() {
         << true
         << "stretched-placement.toile:26: pieces[0].placement.matrix: piece \"Front\": A placement moves and turns a "
            "piece, but does not stretch or mirror it.";
-    QTest::newRow("text-for-a-number")
-        << true << "text-for-a-number.toile:34: pieces[0].vertices[1].x: Expected a number, but found a text.";
-    QTest::newRow("truncated")
     QTest::newRow("tack-outside") << true
                                   << "tack-outside.toile:99: tacks[0].b.point: tack \"button\": A tack holds cloth: "
                                      "this point lies outside the piece \"Back\".";
+    QTest::newRow("text-for-a-number")
+        << true << "text-for-a-number.toile:34: pieces[0].vertices[1].x: Expected a number, but found a text.";
+    QTest::newRow("truncated")
         << true
         << "truncated.toile:50: this is not valid JSON: syntax error while parsing object key - invalid string: "
            "missing closing quote; last read: '\"tablePosition'; expected string literal.";
@@ -162,7 +165,7 @@ void tst_CheckFile::aBrokenDocumentGetsOneLine() {
 }
 
 void tst_CheckFile::everyBrokenDocumentIsListed() {
-    QCOMPARE(QDir(brokenFolder()).entryList({"*.toile"}).size(), 34);
+    QCOMPARE(QDir(brokenFolder()).entryList({"*.toile"}).size(), 35);
 }
 
 void tst_CheckFile::aFileOfAnUnknownKindIsRefused() {

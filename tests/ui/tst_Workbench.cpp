@@ -324,7 +324,9 @@ void tst_Workbench::everyNumberOfASheetSetsWhatItShows() {
         for (std::size_t row = 0; row < shownNow.rows.size(); ++row) {
             const auto* number = std::get_if<NumberRow>(&shownNow.rows[row].content);
             if (!number) continue;
-            const double wanted = number->value == 0 ? std::min(0.25, number->high) : number->value * 1.125;
+            const double wanted = number->quantity == Quantity::count ? number->value + 1
+                                  : number->value == 0                ? std::min(0.25, number->high)
+                                                                      : number->value * 1.125;
             const DocumentResult after = number->set(bench.document(), wanted);
             QVERIFY2(after, qPrintable(shownNow.rows[row].name));
             const auto& now = std::get<NumberRow>(sheet(*after).rows[row].content);

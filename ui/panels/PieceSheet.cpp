@@ -186,6 +186,13 @@ PropertySheet pieceSheet(const Document& document, const Piece& piece, const mes
     });
     sheet.rows.push_back({QStringLiteral("fabric"), tr("Fabric"), fabric});
     addInterfacingRows(sheet, piece);
+    sheet.rows.push_back({QStringLiteral("layer"), tr("Layer"),
+                          NumberRow{Quantity::count, double(piece.layer), 0, outermostLayer, 1,
+                                    setting(piece.id,
+                                            [](const Pattern& p, const PieceId& id, double layer) {
+                                                return setLayer(p, id, static_cast<int>(std::lround(layer)));
+                                            })},
+                          tr("Where pieces overlap, the higher layer lies outside.")});
     sheet.rows.push_back({QStringLiteral("spacing"), tr("Particle distance"),
                           NumberRow{Quantity::length, piece.spacing, 0.001, 0.2, 1, setting(piece.id, setSpacing)},
                           tr("ε_m, the spacing of the main region: smaller is finer and slower.")});
