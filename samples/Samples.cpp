@@ -34,6 +34,7 @@ Result<std::vector<NamedDocument>> sampleDocuments(const Wearers& wearers) {
         {"sheet-one-edge", squareSheet(SheetPins::oneEdge)},
         {"tablecloth", tablecloth()},
         {"tube", tubeRoundCylinder()},
+        {"buttoned-band", buttonedBand()},
         {"two-squares", twoSquares()},
     };
     for (NamedDocument& sample : samples) sample.document.pattern = laidOut(sample.document.pattern);

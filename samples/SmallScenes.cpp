@@ -105,6 +105,40 @@ document::Document tubeRoundCylinder(const TubeScene& scene) {
     return document;
 }
 
+document::Document buttonedBand(const ButtonedBand& band) {
+    constexpr double onCylinder = cylinderRadius + 0.003; // its skin offset
+    const double half = std::numbers::pi * (onCylinder + band.ease), beyond = band.overlap / 2;
+    const Fabric fabric = material::poplin();
+    const auto front = [&](const std::string& id, const std::string& name, double from, double to, double radius) {
+        Piece piece = pieceNamed(id, name, fabric, band.spacing);
+        piece.outline = contourOf(id, rectangle({from, -band.height / 2}, {to, band.height / 2}));
+        piece.placement =
+            Placement{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, cylinderHeight / 2, radius}}, Curl{{0, 1}, radius}};
+        return piece;
+    };
+    const Piece left = front("front-left", "Front left", -beyond, half, band.leftStart);
+    Piece right = front("front-right", "Front right", -half, beyond, band.rightStart);
+    right.layer = 1;
+
+    document::Document document;
+    document.pattern.fabrics = {fabric};
+    document.pattern.pieces = {left, right};
+    document.pattern.seams = {seam("centre back", {along(left, "right")}, {against(right, "left")})};
+    for (int i = 0; i < 3; ++i) { // on the centre line of both
+        Tack button;
+        button.id = TackId{"button-" + std::to_string(i + 1)};
+        button.name = "Button " + std::to_string(i + 1);
+        button.ends = {{{left.id, {0, 0.06 * (1 - i)}}, {right.id, {0, 0.06 * (1 - i)}}}};
+        button.buttonDiameter = 0.011;
+        document.pattern.tacks.push_back(button);
+    }
+    document.avatarFile = "bodies/cylinder.glb";
+    document.scene.gravity = {0, 0, 0};
+    document.scene.bodyFriction = 0;
+    document.scene.selfContact = true;
+    return document;
+}
+
 document::Document twoSquares(double side, double spacing) {
     document::Document document;
     const Fabric fabric = material::poplin();

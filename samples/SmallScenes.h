@@ -23,6 +23,16 @@ struct TubeScene {
 };
 [[nodiscard]] document::Document tubeRoundCylinder(const TubeScene& scene = {});
 
+/// A band round the cylinder of cylinderMesh(), without gravity and friction: two fronts, sewn together at the back,
+/// that overlap by 30 mm at the front, right over left, and are held by three buttons.
+struct ButtonedBand {
+    double ease = 0.004;                          ///< of the radius, beyond cloth that lies on the cylinder [m]
+    double height = 0.20, overlap = 0.03;         ///< [m]
+    double leftStart = 0.125, rightStart = 0.125; ///< radii at which the fronts are drawn [m]
+    double spacing = 0.02;                        ///< [m]
+};
+[[nodiscard]] document::Document buttonedBand(const ButtonedBand& band = {});
+
 /// V21: two free squares in one plane, 0.2 m apart, sewn edge to edge without gravity and damping.
 [[nodiscard]] document::Document twoSquares(double side = 0.3, double spacing = 0.02);
 

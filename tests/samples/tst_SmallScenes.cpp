@@ -4,6 +4,7 @@
 #include "core/simulation/Sew.h"
 #include "samples/SmallScenes.h"
 
+#include <cmath>
 #include <numbers>
 
 using namespace toile;
@@ -13,6 +14,8 @@ class tst_SmallScenes : public QObject {
 private slots:
     void aTightTubeIsAsSmoothAsItsBody_data();
     void aTightTubeIsAsSmoothAsItsBody();
+    void aBandIsButtonedRightOverLeft_data();
+    void aBandIsButtonedRightOverLeft();
 };
 
 void tst_SmallScenes::aTightTubeIsAsSmoothAsItsBody_data() {
@@ -39,6 +42,42 @@ void tst_SmallScenes::aTightTubeIsAsSmoothAsItsBody() {
              QByteArray::number(report->curvature.rms));
     QVERIFY2(report->curvature.alternating < 0.01 * report->curvature.rms,
              QByteArray::number(report->curvature.alternating));
+}
+
+void tst_SmallScenes::aBandIsButtonedRightOverLeft_data() {
+    QTest::addColumn<double>("leftStart");
+    QTest::addColumn<double>("rightStart");
+    QTest::addColumn<double>("spacing");
+    QTest::newRow("both drawn at one radius") << 0.125 << 0.125 << 0.02;
+    QTest::newRow("drawn in the wrong order") << 0.13 << 0.12 << 0.02;
+    QTest::newRow("on a finer mesh") << 0.125 << 0.125 << 0.01;
+}
+
+void tst_SmallScenes::aBandIsButtonedRightOverLeft() {
+    QFETCH(double, leftStart);
+    QFETCH(double, rightStart);
+    QFETCH(double, spacing);
+    const document::Document band = samples::buttonedBand({.leftStart = leftStart, .rightStart = rightStart});
+    const simulation::Scene scene{
+        band.pattern, Shared<body::Body>(body::Body{"cylinder", samples::cylinderMesh(), {}, {}}), band.scene};
+    auto simulation = simulation::Simulation::create(scene, {.spacing = spacing});
+    QVERIFY(simulation);
+    const auto report = simulation::sew(*simulation, {});
+    QVERIFY2(report, report ? "" : toString(report.error()).c_str());
+    QVERIFY(report->allClosed() && report->allTacked() && report->atRest && report->contact.outsideBody);
+    QCOMPARE(report->tacks.size(), std::size_t(3));
+    QCOMPARE(report->contact.selfIntersections, 0);
+    QCOMPARE(report->contact.nodesInWrongOrder, 0);
+    QVERIFY(report->contact.guarantee);
+    const auto radius = [&](const simulation::MeshPoint& place) {
+        Vec3 at;
+        const std::vector<Vec3> nodes = simulation->nodePositions();
+        for (std::size_t k = 0; k < 3; ++k)
+            at += place.weights[k] * nodes[simulation->garment().particles.node({place.piece, place.nodes[k]})];
+        return std::hypot(at.x, at.z);
+    };
+    for (const simulation::TackState& tack : simulation->tacks())
+        QVERIFY(radius(tack.ends[1]) > radius(tack.ends[0])); // the hole lies over the button's side
 }
 
 QTEST_GUILESS_MAIN(tst_SmallScenes)
