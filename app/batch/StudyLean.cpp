@@ -80,15 +80,6 @@ Result<std::vector<double>> instructionsOfAll(const StudyOptions& options, const
     return counts;
 }
 
-/// Instructions of the next variants of `counts`, if there are any.
-Result<FeatureResult> withInstructions(Result<FeatureResult> result, std::span<const double> counts) {
-    for (std::size_t i = 0; result && i < counts.size(); ++i) {
-        Taken& taken = result->rows[i].taken;
-        taken.instructions = counts[i] / taken.frames;
-    }
-    return result;
-}
-
 Result<std::vector<FeatureResult>> run(const StudyOptions& options, std::stop_token stop) {
     const auto features = chosenFeatures(options);
     if (!features) return tl::unexpected(features.error());
@@ -111,9 +102,10 @@ Result<std::vector<FeatureResult>> run(const StudyOptions& options, std::stop_to
         auto result = book->part(
             keysOf(feature, settings), [&](const auto& known) { return resultFrom(feature, known); },
             [&] {
-                const auto counts = options.count ? std::span(*instructions).subspan(variants, feature.variants.size())
-                                                  : std::span<const double>();
-                return withInstructions(studied(feature, settings, stop, whole), counts);
+                auto run = studied(feature, settings, stop, whole);
+                if (run && settings.counted)
+                    addInstructions(*run, feature, std::span(*instructions).subspan(variants, feature.variants.size()));
+                return run;
             },
             [&](const FeatureResult& run) { return recordsOf(run, circumstances); });
         if (!result) return tl::unexpected(result.error());

@@ -41,6 +41,7 @@ private slots:
     void aPartWithoutEffectIsNotInUse();
     void everyPartOfThePlanIsLookedAt();
     void aGarmentIsLookedAtAsItIsDrawn();
+    void whatIsUnusedTakesNoInstructions();
     void theReportSaysWhatWasMeasured();
     void aResultIsReadFromItsRecords();
 };
@@ -99,6 +100,16 @@ void tst_Lean::aGarmentIsLookedAtAsItIsDrawn() {
     const FeatureResult result = resultOf(feature);
     QVERIFY2(passes(result), summaryOf({result}).c_str());
     QCOMPARE(result.rows[2].taken.stages, (std::vector<std::string>{"seams", "self-contact"}));
+}
+
+void tst_Lean::whatIsUnusedTakesNoInstructions() {
+    const Feature feature = featureNamed("hands");
+    FeatureResult result = resultOf(feature);
+    addInstructions(result, feature, std::vector<double>{12e6, 12.001e6, 13e6, 15e6});
+    QVERIFY(passes(result));
+    QCOMPARE(result.rows[1].taken.instructions.value_or(0), 12.001e6 / 12);
+    addInstructions(result, feature, std::vector<double>{12e6, 12.1e6, 13e6, 15e6});
+    QCOMPARE(result.rows[1].why, std::string("Its steps take 1008333 instructions, not 1000000."));
 }
 
 void tst_Lean::theReportSaysWhatWasMeasured() {

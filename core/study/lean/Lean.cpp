@@ -180,6 +180,21 @@ Result<FeatureResult> studied(const Feature& feature, const LeanSettings& settin
     return result;
 }
 
+void addInstructions(FeatureResult& result, const Feature& feature, std::span<const double> instructions) {
+    constexpr double spread = 1e-3;
+    expects(instructions.size() == result.rows.size(), "a count for each variant");
+    for (std::size_t i = 0; i < result.rows.size(); ++i)
+        result.rows[i].taken.instructions = instructions[i] / result.rows[i].taken.frames;
+    for (std::size_t i = 0; i < result.rows.size(); ++i) {
+        Row& row = result.rows[i];
+        if (row.role != Role::unused || feature.variants[i].like < 0 || !row.why.empty()) continue;
+        const double with = *row.taken.instructions,
+                     without = *result.rows[static_cast<std::size_t>(feature.variants[i].like)].taken.instructions;
+        if (with > (1 + spread) * without)
+            row.why = fmt::format("Its steps take {:.0f} instructions, not {:.0f}.", with, without);
+    }
+}
+
 bool passes(const FeatureResult& result) {
     return std::ranges::all_of(result.rows, [](const Row& row) { return row.why.empty(); });
 }

@@ -7,6 +7,7 @@
 #include "core/study/Repetitions.h"
 #include "core/study/lean/Features.h"
 
+#include <span>
 #include <stop_token>
 
 namespace toile::study::lean {
@@ -14,7 +15,7 @@ namespace toile::study::lean {
 struct LeanSettings {
     int frames = 30; ///< frame steps that are counted, after three that are not: seams merge in them, arrays are made
     int repetitions = 5;
-    bool counted = false; ///< the instructions are counted, too; whoever runs it adds them
+    bool counted = false; ///< the instructions are counted, too; addInstructions()
 };
 
 /// What a scene is known by.
@@ -63,6 +64,10 @@ struct FeatureResult {
 /// Errors: what the scene's simulation refuses, cancelled.
 [[nodiscard]] Result<FeatureResult> studied(const Feature& feature, const LeanSettings& settings,
                                             std::stop_token stop = {}, const Progress& progress = {});
+
+/// Adds what a profiler counted in the frames of each variant, in their order. What is unused must not cost more than
+/// 0.1 % of the instructions without it: malloc's share depends on addresses.
+void addInstructions(FeatureResult& result, const Feature& feature, std::span<const double> instructions);
 
 /// The frame steps that are counted: a function of its own, which a profiler finds by its name.
 [[nodiscard]] Result<void> countedSteps(simulation::Simulation& simulation, int frames, std::stop_token stop);
