@@ -14,7 +14,7 @@ public:
     /// gradientIterations: of conjugate gradients at most; 0 = always factor.
     BlockSolver(int blocks, int gradientIterations) : matrix_(blocks), gradientIterations_(gradientIterations) {}
 
-    [[nodiscard]] BlockMatrix& matrix() { return matrix_; }
+    [[nodiscard]] BlockCholesky& matrix() { return matrix_; }
     /// Absent if A + shift is found not to be positive definite. tolerance: largest entry of the residual
     /// that conjugate gradients may leave, in the unit of b.
     [[nodiscard]] std::optional<std::vector<Vec3>> solve(std::span<const double> shift, std::span<const Vec3> b,

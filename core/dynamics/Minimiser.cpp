@@ -5,6 +5,7 @@
 #include "core/cloth/Forces.h"
 #include "core/dynamics/BlockSolver.h"
 #include "core/dynamics/Eliminated.h"
+#include "core/dynamics/TrustedStep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,13 @@ constexpr double standardGravity = 9.81; ///< [m/s²]; scale of residuals where 
 
 /// Friction is fixed anew when the residual has fallen to this part of what it was then [–].
 constexpr double frictionEvery = 0.1;
+
+/// A factor of statics serves so many iterations at most …
+constexpr int factorServes = 20;
+/// … and none after one that took more conjugate gradients than this.
+constexpr int manyGradients = 12;
+/// What it factors is the projected Hessian and so much inertia [1/s²]: soft directions keep a length.
+constexpr double leastInertia = 0.01;
 
 /// Hands blocks of particles to the unknowns that move them.
 class EliminatingSink : public HessianSink {
@@ -77,7 +85,7 @@ struct Minimiser::Data {
     void count(MinimiserReport& report) const {
         report.analyses = solver.analyses() - analyses;
         report.factorizations = solver.factorizations() - factorizations;
-        report.gradientIterations = solver.gradientIterations() - gradientIterations;
+        report.gradientIterations += solver.gradientIterations() - gradientIterations;
     }
 
     const cloth::ClothModel& model;
@@ -107,8 +115,7 @@ public:
         const MinimiserSettings& settings, const MinimiserProblem& problem)
         : model_(model), eliminated_(eliminated), mass_(mass), solver_(solver), settings_(settings),
           gravity_(problem.gravity), stages_(problem.stages), inertia_(problem.inertia), target_(problem.target),
-          levenberg_(inertia_ > 0 ? inertia_ : settings.initialInertia),
-          shift_(inertia_ > 0 ? 0 : settings.initialInertia) {}
+          exact_(inertia_ > 0 ? 0 : static_cast<int>(mass.size())) {}
 
     Result<MinimiserReport> minimise(std::span<Vec3> x, std::stop_token stop, const Progress& progress);
     Result<void> iterateOnce(std::span<Vec3> x);
@@ -125,14 +132,23 @@ private:
     [[nodiscard]] Measured measuredAt(std::span<const Vec3> x) const;
     [[nodiscard]] double forceScale() const;
     [[nodiscard]] double roundingFloor(std::span<const Vec3> x) const;
-    void assemble(std::span<const Vec3> x, cloth::HessianForm form);
-    using Step = std::optional<std::vector<Vec3>>; ///< absent: not positive definite
-    [[nodiscard]] Step stepAt(std::span<const Vec3> x, std::span<const Vec3> forces, double tolerance,
-                              MinimiserIteration& log);
-    [[nodiscard]] Step solved(std::span<const Vec3> forces, double tolerance);
-    [[nodiscard]] bool advance(std::span<Vec3> x, const Measured& now, std::vector<Vec3> step, MinimiserIteration& log);
+    void assemble(std::span<const Vec3> x, cloth::HessianForm form, BlockMatrix& into);
+    using Solution = std::optional<std::vector<Vec3>>; ///< absent: not positive definite
+    [[nodiscard]] Solution solved(std::span<const Vec3> forces, double tolerance);
+    [[nodiscard]] std::optional<TrustedStep> stepAt(std::span<const Vec3> x, const Measured& now, double tolerance,
+                                                    MinimiserIteration& log);
+    [[nodiscard]] Solution shiftedAt(std::span<const Vec3> x, std::span<const Vec3> forces, double tolerance,
+                                     MinimiserIteration& log);
+    [[nodiscard]] std::optional<TrustedStep> trustedAt(std::span<const Vec3> x, std::span<const Vec3> forces,
+                                                       MinimiserIteration& log);
+    [[nodiscard]] bool factoredAt(std::span<const Vec3> x);
+    [[nodiscard]] bool advance(std::span<Vec3> x, const Measured& now, const TrustedStep& step,
+                               MinimiserIteration& log);
     void moveTo(std::span<Vec3> x, std::span<const Vec3> from, std::span<const Vec3> step, double fraction) const;
-    void adaptShift(double energyNow);
+    void judgeLast(double energyNow);
+    void adaptShift(double surprise, double gain);
+    void adaptRadius(double surprise, double gain);
+    void trustLess();
 
     const cloth::ClothModel& model_;
     const Eliminated& eliminated_;
@@ -143,11 +159,15 @@ private:
     std::span<Stage* const> stages_;
     double inertia_;
     std::span<const Vec3> target_;
-    double levenberg_; ///< scale of μ [1/s²]
-    double shift_;     ///< Levenberg weight μ [1/s²]: factors H + (c + μ)·M
+    double shift_ = 0;  ///< of implicit steps: Levenberg weight μ [1/s²]; factors H + (c + μ)·M
+    double radius_ = 0; ///< of statics: as far as the model is trusted, √(sᵀPs); 0 before the first step
+    BlockMatrix exact_; ///< of statics: H, whose projected form the solver's factor is of
+    int served_ = factorServes, gradients_ = 0; ///< iterations of this factor, conjugate gradients of the last
     struct {
         bool taken = false;
         double energy = 0, gain = 0, expected = 0; ///< Φ after the last step, its fall, and that of the model
+        double norm = 0;                           ///< √(sᵀPs)
+        bool bounded = false;                      ///< by the radius
         int cuts = 0;
     } last_;
     int projectedLeft_ = 0; ///< iterations for which the exact Hessian is not tried again
@@ -201,50 +221,84 @@ double Run::roundingFloor(std::span<const Vec3> x) const {
     return 8 * std::numeric_limits<double>::epsilon() * stiffness * extent / forceScale();
 }
 
-void Run::assemble(std::span<const Vec3> x, cloth::HessianForm form) {
-    solver_.matrix().clear();
-    EliminatingSink sink(eliminated_, solver_.matrix());
+void Run::assemble(std::span<const Vec3> x, cloth::HessianForm form, BlockMatrix& into) {
+    into.clear();
+    EliminatingSink sink(eliminated_, into);
     cloth::addHessian(model_, x, form, sink);
     for (const Stage* stage : stages_) stage->addHessian(x, sink);
 }
 
-Run::Step Run::solved(std::span<const Vec3> forces, double tolerance) {
+Run::Solution Run::solved(std::span<const Vec3> forces, double tolerance) {
     std::vector<double> shift(mass_.size());
     for (std::size_t u = 0; u < shift.size(); ++u) shift[u] = (inertia_ + shift_) * mass_[u];
     return solver_.solve(shift, forces, tolerance);
 }
 
-/// The exact Hessian where it, or in statics a small shift of it, is positive definite, else the projected
-/// one. Near a shallow saddle the first strides along the soft direction where the second would crawl; in
-/// compressed cloth it is the other way round. After failures in a row the exact one rests for a while:
-/// trying costs factorisations.
-Run::Step Run::stepAt(std::span<const Vec3> x, std::span<const Vec3> forces, double tolerance,
-                      MinimiserIteration& log) {
-    const double leastShift = 1e-4 * levenberg_;
+/// Absent: nothing holds the cloth.
+std::optional<TrustedStep> Run::stepAt(std::span<const Vec3> x, const Measured& now, double tolerance,
+                                       MinimiserIteration& log) {
+    if (inertia_ == 0) return trustedAt(x, now.forces, log);
+    auto move = shiftedAt(x, now.forces, tolerance, log);
+    if (!move) return std::nullopt;
+    double momentum = 0;
+    for (std::size_t u = 0; u < move->size(); ++u) momentum += mass_[u] * squaredLength((*move)[u]);
+    const double slope = dotOf(now.forces, *move);
+    return TrustedStep{.move = std::move(*move), .expected = 0.5 * (slope + shift_ * momentum)};
+}
+
+/// Of implicit steps, which have inertia: by the exact Hessian where it is positive definite, else by the projected
+/// one. After failures in a row the exact one rests for a while: trying costs a solution.
+Run::Solution Run::shiftedAt(std::span<const Vec3> x, std::span<const Vec3> forces, double tolerance,
+                             MinimiserIteration& log) {
     if (projectedLeft_ == 0) {
-        const double before = shift_;
-        assemble(x, cloth::HessianForm::exact);
-        for (;;) {
-            if (Step step = solved(forces, tolerance)) {
-                projectedRun_ = 0;
-                return step;
-            }
-            if (shift_ >= levenberg_ || inertia_ > 0) break;
-            shift_ = std::max(10 * shift_, leastShift);
+        assemble(x, cloth::HessianForm::exact, solver_.matrix());
+        if (Solution step = solved(forces, tolerance)) {
+            projectedRun_ = 0;
+            return step;
         }
-        shift_ = before;
         projectedRun_ = std::min(projectedRun_ + 1, 3);
         projectedLeft_ = (1 << projectedRun_) - 1;
     } else {
         --projectedLeft_;
     }
-    log.projected = true;
-    assemble(x, cloth::HessianForm::projected);
+    log.indefinite = true;
+    assemble(x, cloth::HessianForm::projected, solver_.matrix());
     for (int attempt = 0; attempt < 12; ++attempt) {
-        if (Step step = solved(forces, tolerance)) return step;
-        shift_ = std::max(10 * shift_, 10 * leastShift);
+        if (Solution step = solved(forces, tolerance)) return step;
+        shift_ = std::max(10 * shift_, 1e-3 * inertia_);
     }
     return std::nullopt;
+}
+
+/// Of statics: by the exact Hessian as far as it is trusted. It is only multiplied by; what is factored is the
+/// projected one, seldom.
+std::optional<TrustedStep> Run::trustedAt(std::span<const Vec3> x, std::span<const Vec3> forces,
+                                          MinimiserIteration& log) {
+    if (served_ >= factorServes || gradients_ > manyGradients)
+        if (!factoredAt(x)) return std::nullopt;
+    ++served_;
+    assemble(x, cloth::HessianForm::exact, exact_);
+    exact_.settlePattern();
+    TrustedStep step = trustedStep(exact_, solver_.matrix(), forces, radius_,
+                                   {.leastForce = 0.5 * settings_.tolerance * forceScale()});
+    if (radius_ == 0) radius_ = step.norm;
+    gradients_ = step.iterations;
+    log.gradientIterations = step.iterations;
+    log.indefinite = step.downwards;
+    return step;
+}
+
+bool Run::factoredAt(std::span<const Vec3> x) {
+    assemble(x, cloth::HessianForm::projected, solver_.matrix());
+    std::vector<double> shift(mass_.size());
+    double inertia = leastInertia;
+    for (int attempt = 0; attempt < 12; ++attempt, inertia *= 10) {
+        for (std::size_t u = 0; u < shift.size(); ++u) shift[u] = inertia * mass_[u];
+        if (!solver_.matrix().factorize(shift)) continue;
+        served_ = 0;
+        return true;
+    }
+    return false;
 }
 
 void Run::moveTo(std::span<Vec3> x, std::span<const Vec3> from, std::span<const Vec3> step, double fraction) const {
@@ -257,27 +311,44 @@ void Run::moveTo(std::span<Vec3> x, std::span<const Vec3> from, std::span<const 
 
 /// Judges the last step by what it truly brought: stages that look again, at contact planes and friction, may
 /// find more energy than the step was promised. Then steps are to be shorter, else longer.
-void Run::adaptShift(double energyNow) {
+void Run::judgeLast(double energyNow) {
     if (!last_.taken) return;
     last_.taken = false;
     const double surprise = energyNow - last_.energy, gain = (last_.gain - surprise) / last_.expected;
-    const double least = 1e-4 * levenberg_;
+    if (inertia_ > 0) adaptShift(surprise, gain);
+    else adaptRadius(surprise, gain);
+}
+
+void Run::adaptShift(double surprise, double gain) {
+    const double least = 1e-4 * inertia_;
     if (surprise > 2 * last_.expected) shift_ = std::max(16 * shift_, least);
     else if (gain < 0.25 || last_.cuts > 1) shift_ = std::max(4 * shift_, least);
     else if (gain > 0.75 && last_.cuts == 0) shift_ = shift_ > 1e-2 * least ? shift_ / 8 : 0;
 }
 
+void Run::adaptRadius(double surprise, double gain) {
+    if (surprise > 2 * last_.expected) radius_ = 0.1 * last_.norm;
+    else if (gain < 0.25) radius_ = 0.4 * last_.norm;
+    else if (last_.cuts > 0) radius_ = last_.norm;
+    else if (gain > 0.75 && last_.bounded) radius_ = 2.5 * last_.norm;
+}
+
+/// No point on the last step was better.
+void Run::trustLess() {
+    shift_ = std::max(16 * shift_, 1e-3 * inertia_);
+    radius_ *= 1e-2;
+    served_ = factorServes;
+}
+
 /// Armijo line search along the step, against the worst Φ of the last iterations: stiff cloth turns on curved
 /// valleys, where a step that must always descend stays short. False if no point on the step is better. Ref:
 /// Grippo, Lampariello, Lucidi 1986
-bool Run::advance(std::span<Vec3> x, const Measured& now, std::vector<Vec3> step, MinimiserIteration& log) {
+bool Run::advance(std::span<Vec3> x, const Measured& now, const TrustedStep& step, MinimiserIteration& log) {
     double largest = 0;
-    for (const Vec3& s : step) largest = std::max(largest, length(s));
-    const double slope = -dotOf(now.forces, step); // of Φ along the step
-    if (!(slope < 0)) return false;
-    double momentum = 0;
-    for (std::size_t u = 0; u < step.size(); ++u) momentum += mass_[u] * squaredLength(step[u]);
-    const double curvature = -slope - shift_ * momentum; // pᵀ(H + cM)p
+    for (const Vec3& s : step.move) largest = std::max(largest, length(s));
+    const double slope = -dotOf(now.forces, step.move); // of Φ along the step
+    if (!(slope < 0) || !std::isfinite(largest)) return false;
+    const double curvature = 2 * (-slope - step.expected); // of the model
     const std::vector<Vec3> from(x.begin(), x.end());
     const double slack = std::ranges::max(climbed_) - climbed_.back();
     const bool bounded = inertia_ == 0 || !stages_.empty();
@@ -285,7 +356,7 @@ bool Run::advance(std::span<Vec3> x, const Measured& now, std::vector<Vec3> step
     // Close to the end the gain is below what rounding leaves of Φ: there the force decides.
     const double rounding = 1e-14 * (std::abs(now.energy) + forceScale() * static_cast<double>(x.size()));
     for (int cut = 0; cut < 25; ++cut, fraction /= 2) {
-        moveTo(x, from, step, fraction);
+        moveTo(x, from, step.move, fraction);
         const double energy = energyAt(x), gain = now.energy - energy;
         const bool better = gain + slack >= -1e-4 * fraction * slope;
         const bool equal = std::isfinite(energy) && std::abs(gain) <= rounding && measuredAt(x).largest < now.largest;
@@ -295,7 +366,7 @@ bool Run::advance(std::span<Vec3> x, const Measured& now, std::vector<Vec3> step
         log.cuts = cut;
         log.largestMove = fraction * largest;
         const double expected = fraction * -slope - 0.5 * fraction * fraction * curvature;
-        last_ = {true, energy, equal ? expected : gain, expected, cut};
+        last_ = {true, energy, equal ? expected : gain, expected, fraction * step.norm, step.bounded, cut};
         return true;
     }
     std::ranges::copy(from, x.begin());
@@ -320,7 +391,7 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, c
                         inertia_ > 0 ? "The step was stopped." : "The static solution was stopped.");
         for (Stage* stage : stages_) stage->beginIteration(x);
         Measured now = measuredAt(x);
-        adaptShift(now.energy);
+        judgeLast(now.energy);
         if (!fresh && now.largest / scale <= std::max(goal, frictionEvery * freshResidual)) {
             for (Stage* stage : stages_) stage->fixFriction(x);
             now = measuredAt(x);
@@ -348,15 +419,15 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, c
         const double forcing = std::clamp(residual * residual / (lastResidual * lastResidual), 1e-4, 0.03);
         const double tolerance = std::max(forcing * now.largest, 0.1 * goal * scale);
         lastResidual = residual;
-        Step step = stepAt(x, now.forces, tolerance, log);
+        const std::optional<TrustedStep> step = stepAt(x, now, tolerance, log);
         if (!step) return fail(ErrorCode::notConverged, "The stiffness matrix is singular: nothing holds the cloth.");
-        log.inertia = inertia_ + shift_;
-        if (allFinite(*step) && advance(x, now, std::move(*step), log)) {
+        out.gradientIterations += log.gradientIterations;
+        if (advance(x, now, *step, log)) {
             failures = 0;
             fresh = false;
         } else {
             ++failures;
-            shift_ = std::max(16 * shift_, 1e-3 * levenberg_);
+            trustLess();
         }
         out.log.push_back(log);
     }
@@ -372,8 +443,8 @@ Result<void> Run::iterateOnce(std::span<Vec3> x) {
     const Measured now = measuredAt(x);
     if (!allFinite(now.forces))
         return fail(ErrorCode::notConverged, fmt::format("The force on particle {} is no number.", now.worst));
-    assemble(x, cloth::HessianForm::projected);
-    const Step step = solved(now.forces, std::min(1e-6 * now.largest, settings_.tolerance * forceScale()));
+    assemble(x, cloth::HessianForm::projected, solver_.matrix());
+    const Solution step = solved(now.forces, std::min(1e-6 * now.largest, settings_.tolerance * forceScale()));
     if (!step) return fail(ErrorCode::notConverged, "The stiffness matrix is singular: nothing holds the cloth.");
     moveTo(x, std::vector<Vec3>(x.begin(), x.end()), *step, 1);
     return {};

@@ -16,11 +16,11 @@ namespace toile::dynamics {
 struct MinimiserSettings {
     double tolerance = 1e-3; ///< largest force over mean particle weight [–]
     int maximumIterations = 300;
-    int memory = 6;              ///< iterations whose worst energy a step may not exceed; 1 = always descend
-    double maximumMove = 0.02;   ///< of any particle in one iteration [m]: as far as contact sees ahead.
-                                 ///< Implicit steps without stages go as far as they like
-    double initialInertia = 100; ///< first Levenberg weight c of ½c|Δx|²_M [1/s²]; falls towards 0. Statics only
-    int gradientIterations = 0;  ///< of conjugate gradients at most, before the factor takes over; 0 = factor only
+    int memory = 6;             ///< iterations whose worst energy a step may not exceed; 1 = always descend
+    double maximumMove = 0.02;  ///< of any particle in one iteration [m]: as far as contact sees ahead.
+                                ///< Implicit steps without stages go as far as they like
+    int gradientIterations = 0; ///< of conjugate gradients at most, before the factor takes over; 0 = factor only.
+                                ///< Of implicit steps: statics has its own rule
 };
 
 /// Φ(x) = ½c|x − y|²_M + E(x) − Σ m g·x plus the energies of the stages.
@@ -35,10 +35,10 @@ struct MinimiserProblem {
 struct MinimiserIteration {
     double energy = 0;      ///< Φ before it [J]
     double residual = 0;    ///< before it, over mean particle weight [–]
-    double inertia = 0;     ///< Levenberg weight used [1/s²]
     double largestMove = 0; ///< [m]
     int cuts = 0;           ///< of the line search
-    bool projected = false; ///< the exact Hessian was indefinite
+    int gradientIterations = 0;
+    bool indefinite = false; ///< the exact Hessian was found to be
 };
 
 struct MinimiserReport {

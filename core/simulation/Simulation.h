@@ -93,7 +93,8 @@ public:
     /// One frame step of the scene. Error when a number is no longer finite: the state before is kept.
     [[nodiscard]] Result<void> advance(std::stop_token stop = {});
 
-    /// Goes on to the equilibrium with contact and friction by Newton's method.
+    /// Goes on to the equilibrium with contact and friction by Newton's method; fine cloth that drapes by
+    /// position-based steps is drawn taut first.
     [[nodiscard]] Result<dynamics::StaticReport> settle(const dynamics::StaticSettings& settings,
                                                         std::stop_token stop = {}, const Progress& progress = {});
 
@@ -134,6 +135,7 @@ private:
 
     void rebuildPlan();
     void planSubsteps();
+    [[nodiscard]] Result<void> drawTaut(std::stop_token stop);
     void correctByLevels(int levels);
     [[nodiscard]] bool levelsMayHelp() const;
     [[nodiscard]] Result<dynamics::StepReport> moveCloth(double duration, std::stop_token stop);

@@ -76,12 +76,12 @@ Findings s10Squeezed(const Effort&) {
         const Settled rest = settled(sheet.model, sheet.state, {});
         double height = 0;
         for (const Vec3& x : sheet.state.positions) height = std::max(height, std::abs(x.z));
-        const auto projected =
-            rest.report ? std::ranges::count_if(rest.report->newton.log, &dynamics::MinimiserIteration::projected) : 0;
+        const auto indefinite =
+            rest.report ? std::ranges::count_if(rest.report->newton.log, &dynamics::MinimiserIteration::indefinite) : 0;
         found.rows.push_back(tested(
             "S10",
-            fmt::format("sheet squeezed to a half, {}: statics, {} of {} iterations projected, {:.0f} mm out of plane",
-                        noise > 0 ? "1e-9 m out of plane" : "in its plane", projected,
+            fmt::format("sheet squeezed to a half, {}: statics, {} of {} iterations indefinite, {:.0f} mm out of plane",
+                        noise > 0 ? "1e-9 m out of plane" : "in its plane", indefinite,
                         rest.report ? rest.report->newton.iterations : 0, 1e3 * height),
             rest.error.empty() && (noise == 0 || height > 0.01),
             rest.error.empty() ? "It should leave its plane." : rest.error, rest.metrics));
