@@ -16,6 +16,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double samePlace = 0.9;
 /// Cloth whose mean stretch is less is folded, and is left to the finer levels for the frame step [–].
 constexpr double flatEnough = 0.7;
+/// Part that the frame steps before have in what is measured [–].
+constexpr double remembered = 0.8;
 
 Vec3 weighted(const std::array<double, 3>& weights, const std::array<int, 3>& particles, std::span<const Vec3> x) {
     return weights[0] * x[particles[0]] + weights[1] * x[particles[1]] + weights[2] * x[particles[2]];
@@ -23,6 +25,10 @@ Vec3 weighted(const std::array<double, 3>& weights, const std::array<int, 3>& pa
 
 Vec3 weighted(const std::array<double, 3>& weights, const std::array<Vec3, 3>& x) {
     return weights[0] * x[0] + weights[1] * x[1] + weights[2] * x[2];
+}
+
+double mixed(double before, double now, double old) {
+    return old > 0 ? old * before + (1 - old) * now : now;
 }
 
 } // namespace
@@ -89,6 +95,11 @@ CoarseLevels::CoarseLevels(const LevelMesh& fine, std::span<const LevelMesh> coa
         finer = &mesh;
         finerOrder = order;
     }
+}
+
+void CoarseLevels::forget() {
+    for (Level& level : levels_)
+        for (Action& action : level.actions) action.weft = action.warp = infinite;
 }
 
 double CoarseLevels::lightest() const {
@@ -171,7 +182,9 @@ void CoarseLevels::gather(std::span<const Vec3> positions) {
 }
 
 /// Beside a border centres of mass lie nearer together than the corners they stand for. By how much does not depend on
-/// folds, which bring both together: it is the ratio of the corners' stretch to the mean one of the cloth.
+/// folds, which bring both together: it is the ratio of the corners' stretch to the mean one of the cloth. What a frame
+/// step finds changes where the cloth goes in it; most is kept of the steps before, or cloth that presses on a
+/// body would flip between two states for ever.
 void CoarseLevels::measure(std::span<const Vec3> positions) {
     for (Level& level : levels_) {
         std::ranges::fill(level.meanU, Vec3{});
@@ -192,10 +205,12 @@ void CoarseLevels::measure(std::span<const Vec3> positions) {
             const double weft = length(level.meanU[i]), warp = length(level.meanV[i]);
             const bool folded = weft < flatEnough || warp < flatEnough;
             const Vec3 u = weighted(t.u, t.particles, level.positions), v = weighted(t.v, t.particles, level.positions);
+            const double shear = dot(u, v) - dot(level.meanU[i], level.meanV[i]);
             Action& action = level.actions[i];
-            action.weft = folded ? infinite : length(u) / weft;
-            action.warp = folded ? infinite : length(v) / warp;
-            action.shear = dot(u, v) - dot(level.meanU[i], level.meanV[i]);
+            const double old = action.weft == infinite ? 0 : remembered;
+            action.weft = folded ? infinite : mixed(action.weft, length(u) / weft, old);
+            action.warp = folded ? infinite : mixed(action.warp, length(v) / warp, old);
+            action.shear = mixed(action.shear, shear, old);
         }
     }
 }

@@ -25,6 +25,8 @@ public:
 
     /// Once before the substeps of a frame step, of length h [s]; cap κ of XpbdSettings.
     void beginStep(std::span<const Vec3> positions, double h, double cap);
+    /// Drops what was measured in the frame steps before.
+    void forget();
     /// Moves what is not pinned.
     void correct(std::span<Vec3> positions);
 

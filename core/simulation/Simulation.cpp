@@ -245,6 +245,7 @@ void Simulation::correctByLevels(int levels) {
         else whyNoLevels_ = made.error().text;
     }
     if (!whyNoLevels_.empty()) return plan_.leaveOut("coarse levels", whyNoLevels_);
+    levels_->forget(); // so does one that is resumed here
     xpbd_->correctBy(levels_.get());
     substeps_ = (substeps_ + (1 << levels) - 1) >> levels;
 }
