@@ -66,10 +66,11 @@ struct StudyOptions {
     int repetitions = 0;            ///< of every run of lean; 0 = as many as the study takes
     bool count = false;             ///< instructions of lean, by valgrind
     bool fresh = false;             ///< measures again what stands in the folder already
+    std::optional<double> within;   ///< of accuracy of a document: the error to suggest a setting for [m]
     std::string out;                ///< folder of the report
     bool quiet = false;
 };
-/// Error against run time of the methods on the built-in scenes.
+/// Error against run time of the methods on the built-in scenes, or of drapes of a document's garment.
 [[nodiscard]] int studyAccuracy(const StudyOptions& options, std::stop_token stop);
 /// A document's regions against uniform meshes.
 [[nodiscard]] int studyRegions(const StudyOptions& options, std::stop_token stop);

@@ -3,6 +3,7 @@
 #include "app/batch/Console.h"
 #include "app/batch/RecordBook.h"
 #include "app/batch/StudyFolder.h"
+#include "app/batch/StudyGarment.h"
 #include "core/base/AtomicFile.h"
 #include "core/study/AccuracyRecords.h"
 #include "core/study/AccuracyReport.h"
@@ -30,6 +31,11 @@ Result<void> writeAll(const fs::path& folder, const std::vector<study::CaseResul
 } // namespace
 
 int studyAccuracy(const StudyOptions& options, std::stop_token stop) {
+    if (namesADocument(options)) return studyGarment(options, stop);
+    if (options.within) {
+        printError({ErrorCode::invalidInput, "A setting can be suggested for a document's garment: name one file."});
+        return inputWrong;
+    }
     const auto names = study::sceneNames();
     for (const std::string& scene : options.cases)
         if (std::ranges::find(names, scene) == names.end()) {

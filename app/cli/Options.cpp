@@ -263,10 +263,20 @@ void declareCompare(CLI::App& study, std::function<int()>& chosen) {
 void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
     auto* study = app.add_subcommand("study", "measure how wrong results are, and what they cost");
     study->require_subcommand(1);
-    auto* accuracy = study->add_subcommand("accuracy", "error against run time of the methods on built-in scenes");
+    auto* accuracy =
+        study->add_subcommand("accuracy", "error against run time of the methods, on built-in scenes or on a garment");
     auto options = std::make_shared<StudyOptions>();
-    accuracy->add_option("CASE", options->cases, "oscillator, flap, two-corners; all if none is named");
-    accuracy->add_flag("--full,!--quick", options->full, "32 cells a side and the stiffest cloth too; else 16");
+    accuracy->add_option(
+        "CASE", options->cases,
+        "oscillator, flap, two-corners, all if none is named; or one document, whose garment is draped");
+    accuracy->add_flag("--full,!--quick", options->full,
+                       "scenes: 32 cells a side and the stiffest cloth too, else 16; a garment: finer meshes, 16 "
+                       "reference drapes");
+    accuracy
+        ->add_option_function<double>(
+            "--within", [options](double mm) { options->within = 1e-3 * mm; },
+            "name the cheapest setting by which every length of the garment is right within so much [mm]")
+        ->check(CLI::PositiveNumber);
     accuracy->add_option("--out", options->out, "folder of report.md, results.jsonl and pictures")->required();
     addFresh(*accuracy, options->fresh);
     accuracy->add_flag("--quiet", options->quiet, "no progress");

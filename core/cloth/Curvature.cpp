@@ -43,8 +43,8 @@ public:
             if (!values[n]) continue;
             const auto& [before, after] = neighbours_[n].*line;
             if (!values[before] || !values[after]) continue;
-            out.push_back(
-                {*values[n], *values[n] / 2 - (*values[before] + *values[after]) / 4, areaOf(neighbours_[n])});
+            out.push_back({*values[n], *values[n] / 2 - (*values[before] + *values[after]) / 4, areaOf(neighbours_[n]),
+                           static_cast<int>(n)});
         }
     }
 

@@ -15,6 +15,7 @@ struct Curvature {
     /// (1 − cos 2π/n)/2. Folds that the mesh resolves have little of it [1/m].
     double alternating = 0;
     double area = 0; ///< of the cloth that the node stands for [m²]
+    int node = 0;
 };
 
 /// Along weft, then along warp, of all nodes that are inner ones of both their lines, as are their neighbours on the

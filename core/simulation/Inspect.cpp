@@ -23,18 +23,6 @@ geometry::TriangleMesh clothMesh(const Simulation& simulation) {
     return mesh;
 }
 
-/// The elements of a piece as the measures of strain and curvature take them.
-cloth::Patch elementsOf(const Garment& garment, std::size_t piece) {
-    const meshing::PieceMesh& mesh = garment.mesh->pieces[piece];
-    cloth::Patch patch;
-    patch.material = mesh.material;
-    const auto first = garment.particles.particleOf.begin() + garment.particles.firstNode[piece];
-    patch.particles.assign(first, first + static_cast<std::ptrdiff_t>(mesh.nodes.size()));
-    for (const meshing::Rectangle& cell : mesh.rectangles) patch.rectangles.push_back({cell.nodes, {}});
-    for (const meshing::Triangle& t : mesh.triangles) patch.triangles.push_back({t.nodes, {}});
-    return patch;
-}
-
 /// Of every element of the pieces that are asked for.
 template <class Wanted>
 std::vector<cloth::Strain> strainsOf(const Simulation& simulation, const Wanted& wanted) {
@@ -94,6 +82,17 @@ std::vector<pattern::Vertex> landmarkVertices(const pattern::Contour& outline) {
 }
 
 } // namespace
+
+cloth::Patch elementsOf(const Garment& garment, std::size_t piece) {
+    const meshing::PieceMesh& mesh = garment.mesh->pieces[piece];
+    cloth::Patch patch;
+    patch.material = mesh.material;
+    const auto first = garment.particles.particleOf.begin() + garment.particles.firstNode[piece];
+    patch.particles.assign(first, first + static_cast<std::ptrdiff_t>(mesh.nodes.size()));
+    for (const meshing::Rectangle& cell : mesh.rectangles) patch.rectangles.push_back({cell.nodes, {}});
+    for (const meshing::Triangle& t : mesh.triangles) patch.triangles.push_back({t.nodes, {}});
+    return patch;
+}
 
 StrainSummary strainOf(const Simulation& simulation) {
     return summaryOf(strainsOf(simulation, [](const auto&) { return true; }));

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/cloth/Patch.h"
 #include "core/simulation/Sew.h"
 
 namespace toile::simulation {
+
+/// The elements of a piece as the measures of strain and curvature take them.
+[[nodiscard]] cloth::Patch elementsOf(const Garment& garment, std::size_t piece);
 
 /// Strain of the garment; zero without an element.
 [[nodiscard]] StrainSummary strainOf(const Simulation& simulation);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/AccuracyReport.h"
 
-#include "core/study/Front.h"
+#include "core/study/ErrorTimePlot.h"
 #include "core/study/Repetitions.h"
 
 #include <algorithm>
@@ -157,44 +157,20 @@ std::string accuracyText(const std::vector<CaseResult>& results, const Circumsta
 }
 
 std::string gnuplotScript(const CaseResult& result, double calibration) {
-    const auto methods = byMethod(countedRuns(result));
-    std::string text;
-    const auto out = std::back_inserter(text);
-    const auto block = [&](const std::string& name, const std::vector<const RunResult*>& runs) {
-        fmt::format_to(out, "${} << EOD\n", name);
-        for (const RunResult* run : runs)
-            fmt::format_to(out, "{:.6g} {:.6g} {:.3g}\n", run->secondsLeast / calibration,
-                           1e3 * claimedError(*run, result), 1e3 * run->step);
-        fmt::format_to(out, "EOD\n");
+    ErrorTimePlot plot{.title = titleOf(result),
+                       .costLabel = "CPU time of a simulated second, in calibrations",
+                       .errorLabel = "largest rms distance to the reference, mm",
+                       .band = 1e3 * bandOf(result.reference)};
+    const auto point = [&](const RunResult& run) {
+        return PlotCurve::Point{run.secondsLeast / calibration, 1e3 * claimedError(run, result), 1e3 * run.step};
     };
-    int number = 0;
-    for (const auto& [method, runs] : methods) block(fmt::format("method{}", number++), runs);
-    block("front", frontOf(result));
-    const double band = 1e3 * bandOf(result.reference);
-    fmt::format_to(
-        out,
-        "set logscale xy\nset format x '10^{{%L}}'\nset format y '10^{{%L}}'\nset grid\nset key outside right\n"
-        "set title '{}' noenhanced\nset xlabel 'CPU time of a simulated second, in calibrations'\n"
-        "set ylabel 'largest rms distance to the reference, mm'\n",
-        titleOf(result));
-    fmt::format_to(out,
-                   "set object rectangle from graph 0, graph 0 to graph 1, first {:.6g} fillcolor rgb '#dddddd' "
-                   "fillstyle solid noborder behind\n",
-                   band);
-    const std::array<std::pair<const char*, const char*>, 2> formats{
-        {{"svg size 900,560 dynamic background rgb 'white' font 'DejaVu Sans,13'", "svg"},
-         {"pngcairo size 1200,760 font 'DejaVu Sans,13'", "png"}}};
-    for (const auto& [terminal, extension] : formats) {
-        fmt::format_to(out, "set terminal {}\nset output '{}.{}'\nplot \\\n", terminal, fileNameOf(result), extension);
-        number = 0;
-        for (const auto& [method, runs] : methods) {
-            fmt::format_to(out, "  $method{} using 1:2 with linespoints pointtype {} linewidth 1.5 title '{}', \\\n",
-                           number, number + 4, dynamics::nameOf(method));
-            ++number;
-        }
-        fmt::format_to(out, "  $front using 1:2 with lines linecolor 'black' dashtype 2 linewidth 2 title 'front'\n");
+    for (const auto& [method, runs] : byMethod(countedRuns(result))) {
+        PlotCurve& curve = plot.curves.emplace_back();
+        curve.title = dynamics::nameOf(method);
+        for (const RunResult* run : runs) curve.points.push_back(point(*run));
     }
-    return text;
+    for (const RunResult* run : frontOf(result)) plot.front.push_back({point(*run).cost, point(*run).error});
+    return gnuplotScript(plot, fileNameOf(result));
 }
 
 } // namespace toile::study

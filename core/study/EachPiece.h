@@ -16,4 +16,16 @@ pattern::Pattern eachPiece(pattern::Pattern pattern, const Change& change) {
     return pattern;
 }
 
+/// Every mesh coarser by this factor, in regions too.
+inline pattern::Pattern coarser(const pattern::Pattern& pattern, double factor) {
+    return eachPiece(pattern, [factor](pattern::Piece& piece) { piece.spacing *= factor; });
+}
+
+/// One spacing everywhere, coarser by this factor; regions keep their stiffness and lose their finer mesh.
+inline pattern::Pattern uniformCoarser(const pattern::Pattern& pattern, double factor) {
+    return eachPiece(coarser(pattern, factor), [](pattern::Piece& piece) {
+        for (auto& region : piece.regions) region.refinement = 0;
+    });
+}
+
 } // namespace toile::study

@@ -15,15 +15,6 @@ namespace toile::study {
 namespace {
 
 using pattern::Pattern;
-using pattern::Piece;
-
-/// One spacing everywhere; regions keep their stiffness and lose their finer mesh.
-Pattern uniform(const Pattern& pattern, double factor) {
-    return eachPiece(pattern, [factor](Piece& piece) {
-        piece.spacing *= factor;
-        for (auto& region : piece.regions) region.refinement = 0;
-    });
-}
 
 double leastSpacing(const Pattern& pattern) {
     double least = std::numeric_limits<double>::infinity();
@@ -148,7 +139,7 @@ Result<RegionsStudy> studyRegions(const simulation::Scene& scene, const RegionsS
     const double main = leastSpacing(scene.pattern);
     const auto uniformAt = [&](const std::string& name, double spacing) {
         simulation::Scene changed = scene;
-        changed.pattern = uniform(scene.pattern, spacing / main);
+        changed.pattern = uniformCoarser(scene.pattern, spacing / main);
         return Layout{name, std::move(changed), spacing};
     };
     std::vector<Layout> layouts{uniformAt("uniform coarse", main),
@@ -171,6 +162,7 @@ Result<RegionsStudy> studyRegions(const simulation::Scene& scene, const RegionsS
         if (repetition > 0) return {}; // the same bits again
         study.layouts[i] = drape->result;
         lattices[i] = latticeOf(drape->simulation);
+        if (i + 1 == layouts.size()) study.parts = deformationOf(drape->simulation, scene.pattern);
         return {};
     };
     if (auto done = inTurns(layouts.size(), settings.repetitions, runOne); !done) return tl::unexpected(done.error());
@@ -245,7 +237,8 @@ std::string regionsText(const RegionsStudy& study, const std::string& document, 
     for (const LayoutResult& layout : study.layouts)
         row(layout, fmt::format("{:.3g}", 1e3 * layout.rms), fmt::format("{:.3g}", 1e3 * layout.maximum));
     row(study.reference, "–", "–");
-    return text + '\n' + verdictOn(study) + '\n';
+    return text + '\n' + verdictOn(study) + "\n\n## What deforms\n\nOn the uniform fine mesh:\n\n" +
+           deformationText(study.parts);
 }
 
 std::vector<Json> recordsOf(const RegionsStudy& study, const std::string& document,

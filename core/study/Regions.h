@@ -5,6 +5,7 @@
 #include "core/base/Progress.h"
 #include "core/simulation/Sew.h"
 #include "core/study/Circumstances.h"
+#include "core/study/Deformation.h"
 #include "core/study/Repetitions.h"
 
 #include <string>
@@ -39,7 +40,8 @@ struct RegionsStudy {
     int repetitions = 1;               ///< of the layouts, in turns
     double floor =
         0; ///< rms distance of the reference to itself with lines 4 % closer: nothing below it is told apart [m]
-    int points = 0; ///< material points at which drapes are compared
+    int points = 0;                     ///< material points at which drapes are compared
+    std::vector<PartDeformation> parts; ///< of the uniform fine mesh
 };
 
 struct RegionsSettings {

@@ -10,6 +10,8 @@ class tst_StudyCommand : public QObject {
 private slots:
     void aStudyLeavesItsReport();
     void aSceneThatIsNotThereIsSaid();
+    void aGarmentIsStudiedWithASuggestion();
+    void withoutAGarmentNothingIsSuggested();
     void aDocumentWithoutRegionsIsSaid();
     void storageIsPrintedAndWritten();
     void aBoxThatIsNoneIsSaid();
@@ -43,6 +45,29 @@ void tst_StudyCommand::aSceneThatIsNotThereIsSaid() {
     QCOMPARE(finished.status, 1);
     QCOMPARE(finished.err, QString("There is no scene \"skirt\"; there are oscillator, flap, two-corners.\n"));
     QVERIFY(!QFile::exists(folder.filePath("study")));
+}
+
+void tst_StudyCommand::aGarmentIsStudiedWithASuggestion() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("tube");
+    const Finished finished =
+        run({"study", "accuracy", sample("tube.toile"), "--within", "5", "--quiet", "--out", out});
+    QCOMPARE(finished.err, QString());
+    QCOMPARE(finished.status, 0);
+    QVERIFY(finished.out.contains("7 meshes and methods, each 2 times, against 5 references")); // it has no regions
+    const QString report = QString::fromUtf8(contentOf(out + "/report.md"));
+    QVERIFY(report.contains("# Error against run time: tube"));
+    QVERIFY(report.contains("tube.toile --quick --within 5 --out " + out + "`"));
+    for (const QByteArray& line : contentOf(out + "/results.jsonl").trimmed().split('\n'))
+        QVERIFY(missingKeys(jsonOf(line), {"schema", "scene", "method", "status"}).isEmpty());
+    QCOMPARE(contentOf(out + "/accuracy.svg").isEmpty(), finished.out.contains("without pictures"));
+}
+
+void tst_StudyCommand::withoutAGarmentNothingIsSuggested() {
+    const QTemporaryDir folder;
+    const Finished finished = run({"study", "accuracy", "flap", "--within", "5", "--out", folder.path()});
+    QCOMPARE(finished.status, 1);
+    QCOMPARE(finished.err, QString("A setting can be suggested for a document's garment: name one file.\n"));
 }
 
 void tst_StudyCommand::aDocumentWithoutRegionsIsSaid() {

@@ -47,18 +47,14 @@ struct Quadratic {
         to.settlePattern();
     }
 
-    [[nodiscard]] Eigen::VectorXd f() const {
-        return Eigen::Map<const Eigen::VectorXd>(&forces[0].x, 3 * blocks);
-    }
+    [[nodiscard]] Eigen::VectorXd f() const { return Eigen::Map<const Eigen::VectorXd>(&forces[0].x, 3 * blocks); }
     [[nodiscard]] double fall(const Eigen::VectorXd& s) const { return f().dot(s) - 0.5 * s.dot(h * s); }
     /// The most the model falls within the radius: the multiplier that puts the step on its border is found by halving.
     [[nodiscard]] double bestFall(double radius) const {
         const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(h, p);
         const Eigen::VectorXd& lambda = spectrum.eigenvalues();
         const Eigen::VectorXd g = spectrum.eigenvectors().transpose() * f();
-        const auto at = [&](double multiplier) {
-            return Eigen::VectorXd(g.array() / (lambda.array() + multiplier));
-        };
+        const auto at = [&](double multiplier) { return Eigen::VectorXd(g.array() / (lambda.array() + multiplier)); };
         double low = std::max(0.0, -lambda[0]) + 1e-12, high = low + g.norm() / radius + 1;
         if (lambda[0] <= 0 || at(0).norm() > radius)
             for (int halving = 0; halving < 200; ++halving)
@@ -122,7 +118,8 @@ private slots:
     void isNewtonsStepWhereTrustIsWide() {
         Quadratic model(7, 1);
         QVERIFY(model.preconditioner.factorize(std::vector<double>(blocks, 0.0)));
-        const TrustedStep step = trustedStep(model.hessian, model.preconditioner, model.forces, 1e6, {.forcing = 1e-10});
+        const TrustedStep step =
+            trustedStep(model.hessian, model.preconditioner, model.forces, 1e6, {.forcing = 1e-10});
         const Eigen::VectorXd newton = model.h.ldlt().solve(model.f());
         QVERIFY((vectorOf(step) - newton).norm() < 1e-8 * newton.norm());
         QVERIFY(!step.bounded && !step.downwards);

@@ -4,7 +4,8 @@
 using namespace toile;
 using namespace toile::simulation;
 
-/// A garment so fine that coarse levels help it into its place comes to rest while they do: it does not tremble by them.
+/// A garment so fine that coarse levels help it into its place comes to rest while they do: it does not tremble by
+/// them.
 class tst_FineBlouse : public QObject {
     Q_OBJECT
 private slots:

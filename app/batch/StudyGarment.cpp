@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/StudyGarment.h"
+
+#include "app/batch/Console.h"
+#include "app/batch/Opening.h"
+#include "app/batch/StudyFolder.h"
+#include "core/base/AtomicFile.h"
+#include "core/io/DocumentFile.h"
+#include "core/study/GarmentReport.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace toile::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string commandOf(const StudyOptions& options) {
+    return fmt::format("toile-cli study accuracy {} --{}{} --out {}", options.cases.front(),
+                       options.full ? "full" : "quick",
+                       options.within ? fmt::format(" --within {:g}", 1e3 * *options.within) : "", options.out);
+}
+
+Result<void> run(const StudyOptions& options, std::stop_token stop) {
+    const std::string& file = options.cases.front();
+    const auto document = io::readDocument(file);
+    if (!document) return tl::unexpected(document.error());
+    const auto opened = openScene(document->document, file);
+    if (!opened) return tl::unexpected(opened.error());
+    if (auto made = madeFolder(options.out); !made) return made;
+    const study::Circumstances circumstances = circumstancesOf(commandOf(options));
+    const study::GarmentPlan plan = study::garmentPlan(opened->scene.pattern, !options.full);
+    fmt::print("{} meshes and methods, each {} times, against {} references\n", plan.setups.size(), plan.repetitions,
+               plan.referenceRuns);
+    ProgressBar bar(options.quiet);
+    const auto study = study::studyGarment(fs::path(file).stem().string(), opened->scene, plan, stop, bar.progress());
+    if (!study) return tl::unexpected(study.error());
+
+    const fs::path folder(options.out), script = folder / "accuracy.gp";
+    const std::string text = study::garmentText(*study, options.within, circumstances);
+    if (auto written = writeReport(folder, text, study::recordsOf(*study, circumstances)); !written) return written;
+    if (auto written = writeFileAtomically(script, study::gnuplotScript(*study, "accuracy")); !written) return written;
+    fmt::print("{}\n", study::verdictOn(*study));
+    if (options.within) fmt::print("{}\n", study::suggestion(*study, *options.within));
+    fmt::print("{}/report.md{}\n", options.out, drawn(script) ? "" : withoutPictures);
+    return {};
+}
+
+} // namespace
+
+bool namesADocument(const StudyOptions& options) {
+    return options.cases.size() == 1 && fs::path(options.cases.front()).extension() == ".toile";
+}
+
+int studyGarment(const StudyOptions& options, std::stop_token stop) {
+    const auto finished = run(options, stop);
+    if (finished) return done;
+    Error error = finished.error();
+    if (error.place.file.empty()) error.place.file = options.cases.front();
+    printError(error);
+    return inputWrong;
+}
+
+} // namespace toile::batch

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/ErrorTimePlot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+
+namespace toile::study {
+namespace {
+
+void appendData(std::string& text, const ErrorTimePlot& plot) {
+    const auto out = std::back_inserter(text);
+    for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+        fmt::format_to(out, "$curve{} << EOD\n", i);
+        for (const PlotCurve::Point& point : plot.curves[i].points)
+            fmt::format_to(out, "{:.6g} {:.6g} {:.3g}\n", point.cost, point.error, point.label);
+        fmt::format_to(out, "EOD\n");
+    }
+    fmt::format_to(out, "$front << EOD\n");
+    for (const CostError& point : plot.front) fmt::format_to(out, "{:.6g} {:.6g}\n", point.cost, point.error);
+    fmt::format_to(out, "EOD\n");
+}
+
+void appendCurves(std::string& text, const ErrorTimePlot& plot) {
+    const auto out = std::back_inserter(text);
+    for (int i = 0; const PlotCurve& curve : plot.curves) {
+        const int colour = curve.colour >= 0 ? curve.colour : i;
+        fmt::format_to(out,
+                       "  $curve{} using 1:2 with linespoints linetype {} pointtype {} dashtype {} linewidth 1.5 "
+                       "title '{}', \\\n",
+                       i, colour + 1, colour + 4, curve.dashed ? 2 : 1, curve.title);
+        if (!plot.pointLabels.empty())
+            fmt::format_to(out,
+                           "  $curve{} using 1:2:(sprintf('{}', $3)) with labels offset 0,0.8 font ',9' notitle, \\\n",
+                           i, plot.pointLabels);
+        ++i;
+    }
+}
+
+/// From a little below the least to a little above the largest.
+std::string rangeOf(const ErrorTimePlot& plot, double PlotCurve::Point::*coordinate, double low) {
+    constexpr double beyond = 1.25;
+    double high = low;
+    for (const PlotCurve& curve : plot.curves)
+        for (const PlotCurve::Point& point : curve.points) {
+            low = low > 0 ? std::min(low, point.*coordinate) : point.*coordinate;
+            high = std::max(high, point.*coordinate);
+        }
+    return fmt::format("[{:.4g}:{:.4g}]", low / beyond, high * beyond);
+}
+
+void appendNarrowAxes(std::string& text, const ErrorTimePlot& plot) {
+    std::string tics;
+    for (int decade = -3; decade <= 4; ++decade)
+        for (const int digit : {1, 2, 5})
+            tics += fmt::format("{}{:g}", tics.empty() ? "" : ",", digit * std::pow(10, decade));
+    for (const char* axis : {"x", "y"}) text += fmt::format("set format {} '%g'\nset {}tics ({})\n", axis, axis, tics);
+    text += fmt::format("set xrange {}\nset yrange {}\n", rangeOf(plot, &PlotCurve::Point::cost, 0),
+                        rangeOf(plot, &PlotCurve::Point::error, plot.band));
+}
+
+} // namespace
+
+std::string gnuplotScript(const ErrorTimePlot& plot, const std::string& file) {
+    std::string text;
+    const auto out = std::back_inserter(text);
+    appendData(text, plot);
+    fmt::format_to(
+        out,
+        "set logscale xy\nset format x '10^{{%L}}'\nset format y '10^{{%L}}'\nset grid\nset key outside right\n"
+        "set title '{}' noenhanced\nset xlabel '{}'\nset ylabel '{}'\n",
+        plot.title, plot.costLabel, plot.errorLabel);
+    fmt::format_to(out,
+                   "set object rectangle from graph 0, graph 0 to graph 1, first {:.6g} fillcolor rgb '#dddddd' "
+                   "fillstyle solid noborder behind\n",
+                   plot.band);
+    if (plot.narrow) appendNarrowAxes(text, plot);
+    const std::array<std::pair<const char*, const char*>, 2> formats{
+        {{"svg size 900,560 dynamic background rgb 'white' font 'DejaVu Sans,13'", "svg"},
+         {"pngcairo size 1200,760 font 'DejaVu Sans,13'", "png"}}};
+    for (const auto& [terminal, extension] : formats) {
+        fmt::format_to(out, "set terminal {}\nset output '{}.{}'\nplot \\\n", terminal, file, extension);
+        appendCurves(text, plot);
+        fmt::format_to(out, "  $front using 1:2 with lines linecolor 'black' dashtype 2 linewidth 2 title 'front'\n");
+    }
+    return text;
+}
+
+} // namespace toile::study

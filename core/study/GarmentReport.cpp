@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/GarmentReport.h"
+
+#include "core/study/ErrorTimePlot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
+#include <map>
+
+namespace toile::study {
+namespace {
+
+using dynamics::Method;
+
+std::string_view methodOf(const GarmentSetup& setup) {
+    return setup.method ? dynamics::nameOf(*setup.method) : "static";
+}
+
+/// "xpbd", "xpbd, finished", "static".
+std::string wayOf(const GarmentRun& run) {
+    return fmt::format("{}{}", methodOf(run.setup), run.finished && run.setup.method ? ", finished" : "");
+}
+
+std::string layoutOf(const GarmentSetup& setup) {
+    return setup.regions ? "as drawn" : "uniform";
+}
+
+/// "xpbd, finished at 28 mm as drawn"
+std::string nameOf(const GarmentRun& run) {
+    return fmt::format("{} at {:.3g} mm {}", wayOf(run), 1e3 * run.spacing, layoutOf(run.setup));
+}
+
+bool counts(const GarmentRun& run) {
+    return run.status.empty();
+}
+
+std::vector<const GarmentRun*> countedRuns(const GarmentAccuracy& study) {
+    std::vector<const GarmentRun*> runs;
+    for (const GarmentRun& run : study.runs)
+        if (counts(run)) runs.push_back(&run);
+    return runs;
+}
+
+bool hasLengths(const GarmentReference& reference) {
+    return std::ranges::any_of(
+        reference.mean, [](const Quantity& quantity) { return quantity.value && quantity.measure == Measure::length; });
+}
+
+std::size_t noisyRuns(const GarmentAccuracy& study) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(study.runs, [](const GarmentRun& run) { return counts(run) && run.time.noisy; }));
+}
+
+/// The mesh as drawn at this factor by this method; of several factors the finest that was run.
+const GarmentRun* runOf(const GarmentAccuracy& study, std::optional<Method> method, bool finished) {
+    const GarmentRun* found = nullptr;
+    for (const GarmentRun& run : study.runs)
+        if (run.setup.regions && run.setup.method == method && run.finished == finished && run.setup.factor >= 1 &&
+            (!found || run.setup.factor < found->setup.factor))
+            found = &run;
+    return found;
+}
+
+/// One of the two defaults against all others.
+std::string judged(const char* who, const GarmentRun* run, const GarmentAccuracy& study) {
+    if (!run) return fmt::format("{} was not run to its end, so nothing is said of it. ", who);
+    const std::string name = fmt::format("{} ({}{})", who, nameOf(*run),
+                                         run->setup.factor > 1 ? ", the finest mesh on which it was run" : "");
+    if (!counts(*run)) return fmt::format("{} does not count ({}). ", name, run->status);
+    const CostError own = claimedOf(*run, study.reference);
+    const auto front = frontOf(study);
+    if (std::ranges::find(front, run) != front.end())
+        return fmt::format("{} **lies on the front**: {:.3g} s, {:.2g} floors. ", name, own.cost, own.error);
+    std::vector<std::string> better;
+    for (const GarmentRun* other : front) {
+        const CostError its = claimedOf(*other, study.reference);
+        if (its.cost <= own.cost && its.error <= own.error)
+            better.push_back(fmt::format("{} ({:.3g} s, {:.2g} floors)", nameOf(*other), its.cost, its.error));
+    }
+    return fmt::format(
+        "{} **does not lie on the front**: it takes {:.3g} s and is {:.2g} floors off; as near or nearer "
+        "and cheaper: {}. ",
+        name, own.cost, own.error, fmt::join(better, "; "));
+}
+
+std::string number(const Quantity& of, double value) {
+    return fmt::format("{:.{}f}", shown(of.measure, value), of.measure == Measure::strain ? 2 : 1);
+}
+
+void appendReference(std::string& text, const GarmentReference& reference) {
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out, "| quantity | unit | reference | floor |\n|---|---|---|---|\n");
+    for (std::size_t q = 0; q < reference.mean.size(); ++q) {
+        const Quantity& quantity = reference.mean[q];
+        if (quantity.value)
+            fmt::format_to(out, "| {} | {} | {} | {} |\n", quantity.name, unitOf(quantity.measure),
+                           number(quantity, *quantity.value), number(quantity, reference.floor[q]));
+        else fmt::format_to(out, "| {} | {} | – | {} |\n", quantity.name, unitOf(quantity.measure), quantity.whyAbsent);
+    }
+}
+
+void appendRuns(std::string& text, const GarmentAccuracy& study, double calibration) {
+    const auto out = std::back_inserter(text);
+    const auto front = frontOf(study);
+    fmt::format_to(out,
+                   "\n| method | mesh | spacing mm | particles | simulated s | CPU s | in calibrations | floors off | "
+                   "worst length mm | front | |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const GarmentRun& run : study.runs)
+        fmt::format_to(out, "| {} | {} | {:.3g} | {} | {:.1f} | {:.3g} | {:.3g} | {:.2g} | {:.2g} | {} | {} |\n",
+                       wayOf(run), layoutOf(run.setup), 1e3 * run.spacing, run.report.particles,
+                       run.report.simulatedSeconds, run.time.least, run.time.least / calibration, run.score,
+                       1e3 * run.lengthError, std::ranges::find(front, &run) != front.end() ? "●" : "",
+                       !counts(run)           ? run.status
+                       : run.time.noisy       ? "noisy"
+                       : run.repetitions == 1 ? "timed once"
+                                              : "");
+    for (const NotRunSetup& setup : study.notRun)
+        fmt::format_to(out, "| {} | {} | {:.3g} | | | | | | | | {} |\n", methodOf(setup.setup), layoutOf(setup.setup),
+                       1e3 * setup.setup.factor * study.mainSpacing, setup.why);
+}
+
+/// What is beyond its floor is bold.
+void appendErrors(std::string& text, const GarmentAccuracy& study) {
+    const auto out = std::back_inserter(text);
+    std::vector<std::size_t> present;
+    for (std::size_t q = 0; q < study.reference.mean.size(); ++q)
+        if (study.reference.mean[q].value) present.push_back(q);
+    fmt::format_to(out, "\n| run |");
+    for (const std::size_t q : present)
+        fmt::format_to(out, " {}{} |", study.reference.mean[q].key,
+                       study.reference.mean[q].measure == Measure::count
+                           ? ""
+                           : fmt::format(" {}", unitOf(study.reference.mean[q].measure)));
+    fmt::format_to(out, "\n|---|{}\n", [&] {
+        std::string bars;
+        for (std::size_t i = 0; i < present.size(); ++i) bars += "---|";
+        return bars;
+    }());
+    for (const GarmentRun& run : study.runs) {
+        fmt::format_to(out, "| {} |", nameOf(run));
+        for (const std::size_t q : present) {
+            if (!run.errors[q]) {
+                text += " – |";
+                continue;
+            }
+            const bool beyond = std::abs(*run.errors[q]) > study.reference.floor[q];
+            const std::string value = number(run.quantities[q], *run.errors[q]);
+            text += beyond ? " **" + value + "** |" : " " + value + " |";
+        }
+        text += '\n';
+    }
+}
+
+Json sceneJson(const GarmentAccuracy& study, const GarmentRun& run) {
+    const simulation::SewReport& report = run.report;
+    Json scene, springs;
+    springs.set("structural", report.springsStructural).set("shear", report.springsShear);
+    springs.set("flexion", report.flexion).set("bending", report.bending).set("twist", report.twist);
+    scene.set("name", study.name).set("hash", report.resultHash).set("layout", layoutOf(run.setup));
+    scene.set("spacing", run.spacing).set("particles", report.particles).set("springs", springs);
+    return scene.set("largestFrequency", run.largestFrequency);
+}
+
+Json methodJson(const GarmentRun& run) {
+    Json method;
+    method.set("integrator", std::string(methodOf(run.setup))).set("finished", run.finished);
+    return method.set("steps", run.report.steps).set("substeps", run.report.substeps).set("threads", 1);
+}
+
+Json referenceJson(const GarmentReference& reference) {
+    Json json, floors;
+    for (std::size_t q = 0; q < reference.mean.size(); ++q)
+        if (reference.mean[q].value) floors.set(std::string(reference.mean[q].key), reference.floor[q]);
+    json.set("method", "xpbd, finished").set("layout", "uniform").set("spacing", reference.spacing);
+    json.set("particles", reference.particles).set("runs", reference.runs).set("selfError", reference.band);
+    return json.set("floors", floors);
+}
+
+Json resultJson(const GarmentRun& run) {
+    Json result, quantities, errors, absent;
+    for (std::size_t q = 0; q < run.quantities.size(); ++q) {
+        const Quantity& quantity = run.quantities[q];
+        const std::string key(quantity.key);
+        quantities.set(key, quantity.value ? Json(*quantity.value) : Json());
+        if (!quantity.value) absent.set(key, quantity.whyAbsent);
+        if (run.errors[q]) errors.set(key, *run.errors[q]);
+    }
+    result.set("normalisedError", run.score).set("lengthError", run.lengthError).set("quantities", quantities);
+    if (!run.quantities.empty()) result.set("errors", errors).set("absent", absent);
+    result.set("strainRms", run.report.strain.rms).set("intersections", run.report.contact.bodyIntersections);
+    return result.set("penetration", run.report.contact.bodyPenetrationMaximum);
+}
+
+Json costJson(const GarmentRun& run) {
+    Json cost;
+    cost.set("cpuSecondsMinimum", run.time.least).set("cpuSecondsMedian", run.time.median);
+    cost.set("repetitions", run.repetitions).set("wallSeconds", run.report.wallSeconds);
+    dynamics::StepReport steps{.parts = 0};
+    for (const simulation::PhaseRun& phase : run.report.phases) steps += phase.steps;
+    cost.set("parts", steps.parts).set("newtonIterations", steps.newtonIterations).set("solves", steps.factorizations);
+    cost.set("cgIterations", steps.gradientIterations).set("rejectedSteps", steps.repeated);
+    return cost.set("simulatedSeconds", run.report.simulatedSeconds).set("peakBytes", run.report.peakBytes);
+}
+
+Json leftOutJson(const GarmentRun& run) {
+    Json all{Json::Array{}};
+    for (const auto& leftOut : run.report.leftOut) {
+        Json one;
+        one.set("name", leftOut.stage).set("reason", leftOut.why);
+        all.push(one);
+    }
+    return all;
+}
+
+} // namespace
+
+CostError claimedOf(const GarmentRun& run, const GarmentReference& reference) {
+    return {run.time.least, std::max(run.score, reference.band)};
+}
+
+std::vector<const GarmentRun*> frontOf(const GarmentAccuracy& study) {
+    const auto runs = countedRuns(study);
+    std::vector<CostError> points;
+    for (const GarmentRun* run : runs) points.push_back(claimedOf(*run, study.reference));
+    std::vector<const GarmentRun*> front;
+    for (const int i : paretoFront(points)) front.push_back(runs[static_cast<std::size_t>(i)]);
+    return front;
+}
+
+std::string verdictOn(const GarmentAccuracy& study) {
+    if (const std::size_t noisy = noisyRuns(study); noisy > 0) return tooNoisy(noisy, countedRuns(study).size());
+    std::string text = judged("The interactive default", runOf(study, Method::xpbd, false), study);
+    text += judged("The accurate default", runOf(study, Method::trBdf2, true), study);
+    std::vector<std::string> front;
+    for (const GarmentRun* run : frontOf(study)) front.push_back(nameOf(*run));
+    return text + fmt::format("On the front, cheapest first: {}.", fmt::join(front, "; "));
+}
+
+std::string suggestion(const GarmentAccuracy& study, double within) {
+    if (const std::size_t noisy = noisyRuns(study); noisy > 0) return tooNoisy(noisy, countedRuns(study).size());
+    if (!hasLengths(study.reference))
+        return "It has no lengths that could be compared: no hem, girth, neck or shoulder.";
+    const auto runs = countedRuns(study);
+    std::vector<const GarmentRun*> meeting;
+    std::ranges::copy_if(runs, std::back_inserter(meeting),
+                         [&](const GarmentRun* run) { return run->lengthError <= within; });
+    if (!meeting.empty()) {
+        const GarmentRun& cheapest =
+            **std::ranges::min_element(meeting, {}, [](const GarmentRun* run) { return run->time.least; });
+        return fmt::format("Within {:.3g} mm of the reference in every length, cheapest: **{}**, {:.3g} CPU s, within "
+                           "{:.2g} mm.",
+                           1e3 * within, nameOf(cheapest), cheapest.time.least, 1e3 * cheapest.lengthError);
+    }
+    const auto& reference = study.reference;
+    for (std::size_t q = 0; q < reference.mean.size(); ++q)
+        if (reference.mean[q].value && reference.mean[q].measure == Measure::length && reference.floor[q] > within)
+            return fmt::format(
+                "Within {:.3g} mm nothing can be told: {} differs by {:.2g} mm from one drape of the same "
+                "garment to the next.",
+                1e3 * within, reference.mean[q].name, 1e3 * reference.floor[q]);
+    if (runs.empty()) return "No run came to rest.";
+    const GarmentRun& nearest = **std::ranges::min_element(runs, {}, &GarmentRun::lengthError);
+    return fmt::format("No setting that was run is within {:.3g} mm in every length; the nearest is {}, within {:.2g} "
+                       "mm in {:.3g} CPU s.",
+                       1e3 * within, nameOf(nearest), 1e3 * nearest.lengthError, nearest.time.least);
+}
+
+std::string garmentText(const GarmentAccuracy& study, const std::optional<double>& within,
+                        const Circumstances& circumstances) {
+    std::string text;
+    const auto& reference = study.reference;
+    fmt::format_to(
+        std::back_inserter(text),
+        "# Error against run time: {}\n\n`{}`, {}, {}. One *calibration*, a loop over a million spring forces, takes "
+        "{:.3g} ms.\n\nReference: the mean of {} drapes at {:.3g} mm, uniform ({} particles), by xpbd with the static "
+        "finish, their seams closing a little slower or faster. The *floor* of a quantity: within it of the mean lie "
+        "19 of "
+        "20 such drapes; half a millimetre, 0.05 %, 10 cm² or half a fold where that is more. *Floors off*: root mean "
+        "square over the quantities of error over floor. The reference's own drapes are up to {:.2g} floors off the "
+        "others' "
+        "mean; nothing below that is told apart. A method that takes the cloth another way may find another of the "
+        "equilibria that friction leaves: that, too, counts as error. CPU times are the least of interleaved "
+        "repetitions, and include a look at the result. ● is on the front: no run is both cheaper and nearer. The "
+        "error is "
+        "numerical; how far the fabric's constants are from the cloth is another matter.\n\n",
+        study.name, circumstances.command, circumstances.program, circumstances.processor,
+        1e3 * circumstances.calibration, reference.runs, 1e3 * reference.spacing, reference.particles, reference.band);
+    text += verdictOn(study) + "\n\n";
+    if (within) text += suggestion(study, *within) + "\n\n";
+    text += "![error against run time](accuracy.svg)\n\n";
+    appendReference(text, reference);
+    appendRuns(text, study, circumstances.calibration);
+    text += "\nErrors against the reference; bold: beyond the floor.\n";
+    appendErrors(text, study);
+    return text;
+}
+
+std::vector<Json> recordsOf(const GarmentAccuracy& study, const Circumstances& circumstances) {
+    std::vector<Json> records;
+    for (const GarmentRun& run : study.runs) {
+        Json record;
+        note(record, "toile-study-garment-1", circumstances);
+        record.set("scene", sceneJson(study, run)).set("method", methodJson(run));
+        record.set("reference", referenceJson(study.reference)).set("result", resultJson(run));
+        record.set("cost", costJson(run)).set("leftOut", leftOutJson(run));
+        record.set("status", counts(run) ? "done" : run.status);
+        records.push_back(std::move(record));
+    }
+    for (const NotRunSetup& setup : study.notRun) {
+        Json record, scene, method;
+        note(record, "toile-study-garment-1", circumstances);
+        scene.set("name", study.name).set("layout", layoutOf(setup.setup));
+        scene.set("spacing", setup.setup.factor * study.mainSpacing);
+        method.set("integrator", std::string(methodOf(setup.setup)));
+        record.set("scene", scene).set("method", method).set("status", setup.why);
+        records.push_back(std::move(record));
+    }
+    return records;
+}
+
+std::string gnuplotScript(const GarmentAccuracy& study, const std::string& file) {
+    ErrorTimePlot plot{.title = study.name + ", spacing in mm beside the points",
+                       .costLabel = "CPU time of the drape, s",
+                       .errorLabel = "error of the named quantities, in floors",
+                       .band = study.reference.band,
+                       .pointLabels = "%g",
+                       .narrow = true};
+    std::map<std::string, int> colours;
+    std::map<std::string, std::size_t> curves;
+    for (const GarmentRun* run : countedRuns(study)) {
+        const int colour = colours.try_emplace(wayOf(*run), static_cast<int>(colours.size())).first->second;
+        const std::string title = fmt::format("{} ({})", wayOf(*run), layoutOf(run->setup));
+        const auto [curve, isNew] = curves.try_emplace(title, plot.curves.size());
+        if (isNew) plot.curves.push_back({title, {}, colour, !run->setup.regions});
+        const CostError claimed = claimedOf(*run, study.reference);
+        plot.curves[curve->second].points.push_back({claimed.cost, claimed.error, 1e3 * run->spacing});
+    }
+    for (const GarmentRun* run : frontOf(study)) plot.front.push_back(claimedOf(*run, study.reference));
+    return gnuplotScript(plot, file);
+}
+
+} // namespace toile::study
