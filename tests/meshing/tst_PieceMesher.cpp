@@ -2,7 +2,7 @@
 #include <QtTest>
 
 #ifndef Q_MOC_RUN // moc stumbles over the library's concepts
-#include "core/base/HeapCount.h"
+#include "core/base/heap/HeapCount.h"
 #include "core/meshing/GarmentMesher.h"
 #include "tests/meshing/MeshFixtures.h"
 #include "tests/meshing/PreparedPiece.h"

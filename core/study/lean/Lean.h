@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/HeapCount.h"
 #include "core/base/Progress.h"
+#include "core/base/heap/HeapCount.h"
 #include "core/simulation/Simulation.h"
 #include "core/study/Repetitions.h"
 #include "core/study/lean/Features.h"

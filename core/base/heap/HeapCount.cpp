@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/HeapCount.h"
+#include "core/base/heap/HeapCount.h"
 
 #include <algorithm>
 #include <atomic>
@@ -12,7 +12,6 @@ std::atomic<std::size_t> blocks{0}, bytes{0};
 
 } // namespace
 
-// This file is linked where heapTaken() is called, and with it these operators.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
     blocks.fetch_add(1, std::memory_order_relaxed);
     bytes.fetch_add(size, std::memory_order_relaxed);

@@ -14,8 +14,8 @@ struct HeapCount {
     friend bool operator==(const HeapCount&, const HeapCount&) = default;
 };
 
-/// A program that calls this gets operators new and delete that count; others keep their own. What calls malloc
-/// itself (Eigen, CHOLMOD) is not seen.
+/// A program that links this library gets operators new and delete that count. What calls malloc itself (Eigen,
+/// CHOLMOD) is not seen.
 [[nodiscard]] HeapCount heapTaken();
 
 } // namespace toile
