@@ -24,6 +24,13 @@ constexpr double frictionEvery = 0.1;
 constexpr int factorServes = 20;
 /// … and none after one that took more conjugate gradients than this.
 constexpr int manyGradients = 12;
+/// Fewer free particles have one for every iteration, shifted by inertia: it is cheap there, and where soft directions
+/// turn, as of a strap that swings or of a chain of stiff links, an old one leads across them.
+constexpr std::size_t fewParticles = 4000;
+/// Their first Levenberg weight μ of ½μ|Δx|²_M [1/s²]; it falls towards 0.
+constexpr double firstInertia = 100;
+/// The smallest that is tried before none, over the scale [–].
+constexpr double leastShift = 1e-4;
 /// What it factors is the projected Hessian and so much inertia [1/s²]: soft directions keep a length.
 constexpr double leastInertia = 0.01;
 
@@ -115,7 +122,9 @@ public:
         const MinimiserSettings& settings, const MinimiserProblem& problem)
         : model_(model), eliminated_(eliminated), mass_(mass), solver_(solver), settings_(settings),
           gravity_(problem.gravity), stages_(problem.stages), inertia_(problem.inertia), target_(problem.target),
-          exact_(inertia_ > 0 ? 0 : static_cast<int>(mass.size())) {}
+          sharesFactors_(inertia_ == 0 && mass.size() >= fewParticles),
+          levenberg_(inertia_ > 0 ? inertia_ : firstInertia), shift_(inertia_ > 0 ? 0 : firstInertia),
+          exact_(sharesFactors_ ? static_cast<int>(mass.size()) : 0) {}
 
     Result<MinimiserReport> minimise(std::span<Vec3> x, std::stop_token stop, const Progress& progress);
     Result<void> iterateOnce(std::span<Vec3> x);
@@ -159,9 +168,11 @@ private:
     std::span<Stage* const> stages_;
     double inertia_;
     std::span<const Vec3> target_;
-    double shift_ = 0;  ///< of implicit steps: Levenberg weight μ [1/s²]; factors H + (c + μ)·M
-    double radius_ = 0; ///< of statics: as far as the model is trusted, √(sᵀPs); 0 before the first step
-    BlockMatrix exact_; ///< of statics: H, whose projected form the solver's factor is of
+    bool sharesFactors_;                        ///< statics of many particles: trusted steps; else shifted ones
+    double levenberg_;                          ///< scale of μ [1/s²]
+    double shift_;                              ///< Levenberg weight μ [1/s²]: factors H + (c + μ)·M
+    double radius_ = 0;                         ///< as far as a model is trusted, √(sᵀPs); 0 before the first step
+    BlockMatrix exact_;                         ///< of trusted steps: H, whose projected form the solver's factor is of
     int served_ = factorServes, gradients_ = 0; ///< iterations of this factor, conjugate gradients of the last
     struct {
         bool taken = false;
@@ -237,7 +248,7 @@ Run::Solution Run::solved(std::span<const Vec3> forces, double tolerance) {
 /// Absent: nothing holds the cloth.
 std::optional<TrustedStep> Run::stepAt(std::span<const Vec3> x, const Measured& now, double tolerance,
                                        MinimiserIteration& log) {
-    if (inertia_ == 0) return trustedAt(x, now.forces, log);
+    if (sharesFactors_) return trustedAt(x, now.forces, log);
     auto move = shiftedAt(x, now.forces, tolerance, log);
     if (!move) return std::nullopt;
     double momentum = 0;
@@ -246,16 +257,22 @@ std::optional<TrustedStep> Run::stepAt(std::span<const Vec3> x, const Measured& 
     return TrustedStep{.move = std::move(*move), .expected = 0.5 * (slope + shift_ * momentum)};
 }
 
-/// Of implicit steps, which have inertia: by the exact Hessian where it is positive definite, else by the projected
-/// one. After failures in a row the exact one rests for a while: trying costs a solution.
+/// By the exact Hessian where it, or in statics a small shift of it, is positive definite, else by the projected one.
+/// After failures in a row the exact one rests for a while: trying costs a solution.
 Run::Solution Run::shiftedAt(std::span<const Vec3> x, std::span<const Vec3> forces, double tolerance,
                              MinimiserIteration& log) {
     if (projectedLeft_ == 0) {
+        const double before = shift_;
         assemble(x, cloth::HessianForm::exact, solver_.matrix());
-        if (Solution step = solved(forces, tolerance)) {
-            projectedRun_ = 0;
-            return step;
+        for (;;) {
+            if (Solution step = solved(forces, tolerance)) {
+                projectedRun_ = 0;
+                return step;
+            }
+            if (shift_ >= levenberg_ || inertia_ > 0) break;
+            shift_ = std::max(10 * shift_, leastShift * levenberg_);
         }
+        shift_ = before;
         projectedRun_ = std::min(projectedRun_ + 1, 3);
         projectedLeft_ = (1 << projectedRun_) - 1;
     } else {
@@ -265,13 +282,13 @@ Run::Solution Run::shiftedAt(std::span<const Vec3> x, std::span<const Vec3> forc
     assemble(x, cloth::HessianForm::projected, solver_.matrix());
     for (int attempt = 0; attempt < 12; ++attempt) {
         if (Solution step = solved(forces, tolerance)) return step;
-        shift_ = std::max(10 * shift_, 1e-3 * inertia_);
+        shift_ = std::max(10 * shift_, 10 * leastShift * levenberg_);
     }
     return std::nullopt;
 }
 
-/// Of statics: by the exact Hessian as far as it is trusted. It is only multiplied by; what is factored is the
-/// projected one, seldom.
+/// Of many particles' statics: by the exact Hessian as far as it is trusted. It is only multiplied by; what is factored
+/// is the projected one, seldom.
 std::optional<TrustedStep> Run::trustedAt(std::span<const Vec3> x, std::span<const Vec3> forces,
                                           MinimiserIteration& log) {
     if (served_ >= factorServes || gradients_ > manyGradients)
@@ -315,12 +332,12 @@ void Run::judgeLast(double energyNow) {
     if (!last_.taken) return;
     last_.taken = false;
     const double surprise = energyNow - last_.energy, gain = (last_.gain - surprise) / last_.expected;
-    if (inertia_ > 0) adaptShift(surprise, gain);
-    else adaptRadius(surprise, gain);
+    if (sharesFactors_) adaptRadius(surprise, gain);
+    else adaptShift(surprise, gain);
 }
 
 void Run::adaptShift(double surprise, double gain) {
-    const double least = 1e-4 * inertia_;
+    const double least = leastShift * levenberg_;
     if (surprise > 2 * last_.expected) shift_ = std::max(16 * shift_, least);
     else if (gain < 0.25 || last_.cuts > 1) shift_ = std::max(4 * shift_, least);
     else if (gain > 0.75 && last_.cuts == 0) shift_ = shift_ > 1e-2 * least ? shift_ / 8 : 0;
@@ -335,7 +352,7 @@ void Run::adaptRadius(double surprise, double gain) {
 
 /// No point on the last step was better.
 void Run::trustLess() {
-    shift_ = std::max(16 * shift_, 1e-3 * inertia_);
+    shift_ = std::max(16 * shift_, 10 * leastShift * levenberg_);
     radius_ *= 1e-2;
     served_ = factorServes;
 }

@@ -9,9 +9,9 @@ using study::RegionsStudy;
 
 namespace {
 
-/// A sheet of 0.4 m held at two corners, with or without a finer upper half.
+/// A sheet of 0.4 m held along its upper edge, with or without a finer upper half. It hangs in one way only.
 simulation::Scene hangingSheet(bool withRegion) {
-    const auto document = samples::squareSheet(samples::SheetPins::twoCorners, 0.4, 0.04);
+    const auto document = samples::squareSheet(samples::SheetPins::oneEdge, 0.4, 0.04);
     simulation::Scene scene{document.pattern, {}, document.scene};
     scene.settings.damping = 5; // it does not swing for long
     if (withRegion) {
@@ -74,7 +74,8 @@ void tst_RegionsStudy::layoutsAreComparedAtTheSamePoints() {
     QCOMPARE(fine.particles, 21 * 21);
     QCOMPARE(study->reference.particles, 41 * 41);
     QVERIFY(coarse.particles < regions.particles && regions.particles < fine.particles);
-    QVERIFY(std::abs(equal.particles - regions.particles) < 0.15 * regions.particles);
+    // Each tenth of the held edge has a whole number of cells.
+    QVERIFY(std::abs(equal.particles - regions.particles) < 0.2 * regions.particles);
     QCOMPARE(study->points, 33 * 33);
     for (const auto& layout : study->layouts) QVERIFY(layout.atRest);
     QVERIFY(fine.rms < coarse.rms);
