@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/ImplicitRungeKutta.h"
 
+#include "core/dynamics/Energy.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -22,7 +24,8 @@ const ButcherTableau& trBdf2() {
                                         .stages = 3,
                                         .a = {{{0}, {d, d}, {w, w, d}}},
                                         .b = {w, w, d},
-                                        .difference = {w - (1 - w) / 3, w - (3 * w + 1) / 3, d - d / 3}};
+                                        .difference = {w - (1 - w) / 3, w - (3 * w + 1) / 3, d - d / 3},
+                                        .guarded = true};
     return tableau;
 }
 
@@ -50,20 +53,37 @@ std::vector<Vec3> combined(const std::vector<Vec3>& start, double h, std::span<c
     return sum;
 }
 
+/// Together with what the stages hold now, as they stand in this step.
+Energies energiesOf(const cloth::ClothModel& model, const ParticleState& state, const Vec3& gravity,
+                    std::span<Stage* const> stages) {
+    Energies now = energies(model, state, gravity);
+    for (Stage* stage : stages) {
+        stage->beginIteration(state.positions);
+        now.elastic += stage->energy(state.positions);
+    }
+    return now;
+}
+
 } // namespace
 
 ImplicitRungeKutta::ImplicitRungeKutta(const cloth::ClothModel& model, const ButcherTableau& tableau,
                                        ImplicitSettings settings)
     : Integrator(model), tableau_(tableau), settings_(settings), stage_(model, settings) {}
 
-Result<ImplicitRungeKutta::Step> ImplicitRungeKutta::once(ParticleState& state, double h, const Vec3& gravity,
-                                                          std::span<Stage* const> stages, std::stop_token stop) {
+Result<ImplicitRungeKutta::Step> ImplicitRungeKutta::once(const ButcherTableau& tableau, ParticleState& state, double h,
+                                                          const Vec3& gravity, std::span<Stage* const> stages,
+                                                          std::stop_token stop) {
     Step step;
     const ParticleState start = state;
     std::vector<std::vector<Vec3>> velocities, accelerations; // slopes of the stages so far
     for (Stage* stage : stages) stage->beginStep(start, h);
-    for (int i = 0; i < tableau_.stages; ++i) {
-        const auto& row = tableau_.a[i];
+    EnergyMonitor monitor;
+    if (tableau.guarded) {
+        for (Stage* stage : stages) stage->fixFriction(start.positions);
+        monitor.observe(energiesOf(model(), start, gravity, stages));
+    }
+    for (int i = 0; i < tableau.stages; ++i) {
+        const auto& row = tableau.a[i];
         if (row[i] == 0) {
             accelerations.emplace_back();
             accelerationsAt(state.positions, gravity, stages, accelerations.back());
@@ -81,15 +101,16 @@ Result<ImplicitRungeKutta::Step> ImplicitRungeKutta::once(ParticleState& state, 
         for (std::size_t p = 0; p < state.positions.size(); ++p)
             accelerations.back()[p] = (state.velocities[p] - known.velocity[p]) / known.span;
     }
-    const bool lastStageIsResult = tableau_.b == tableau_.a[tableau_.stages - 1];
+    const bool lastStageIsResult = tableau.b == tableau.a[tableau.stages - 1];
     if (!lastStageIsResult) {
-        state.positions = combined(start.positions, h, tableau_.b, velocities);
-        state.velocities = combined(start.velocities, h, tableau_.b, accelerations);
+        state.positions = combined(start.positions, h, tableau.b, velocities);
+        state.velocities = combined(start.velocities, h, tableau.b, accelerations);
     }
     eliminated().place(state.positions);
     eliminated().place(state.velocities);
-    if (tableau_.difference != decltype(tableau_.difference){})
-        step.difference = combined(std::vector<Vec3>(start.positions.size()), h, tableau_.difference, velocities);
+    if (tableau.guarded) step.gains = monitor.observe(energiesOf(model(), state, gravity, stages));
+    if (tableau.difference != decltype(tableau.difference){})
+        step.difference = combined(std::vector<Vec3>(start.positions.size()), h, tableau.difference, velocities);
     return step;
 }
 
@@ -97,9 +118,15 @@ Result<StepReport> ImplicitRungeKutta::advance(ParticleState& state, double dura
                                                std::span<Stage* const> stages, std::stop_token stop) {
     return halvedUntilSolved(state, duration, settings_.halvings,
                              [&](ParticleState& at, double h) -> Result<StepReport> {
-                                 auto step = once(at, h, gravity, stages, stop);
+                                 const ParticleState start = at;
+                                 const auto step = once(tableau_, at, h, gravity, stages, stop);
                                  if (!step) return tl::unexpected(step.error());
-                                 return step->report;
+                                 if (!step->gains) return step->report;
+                                 at = start;
+                                 auto safe = once(backwardEuler(), at, h, gravity, stages, stop);
+                                 if (!safe) return tl::unexpected(safe.error());
+                                 safe->report.repeated += 1;
+                                 return safe->report;
                              });
 }
 

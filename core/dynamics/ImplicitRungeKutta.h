@@ -18,6 +18,9 @@ struct ButcherTableau {
     std::array<double, mostStages> b{};
     /// b − b̂ of a companion of other order, whose step differs by h·Σ d_i k_i; all 0 where there is none.
     std::array<double, mostStages> difference{};
+    /// A part that gains energy is made again by backward Euler: what is stiff and far from balance, or meets a body
+    /// within the part, an explicit first stage throws back faster than it came.
+    bool guarded = false;
 };
 
 [[nodiscard]] const ButcherTableau& backwardEuler(); ///< first order, damps what it cannot resolve by 1/√(1 + ω²h²)
@@ -40,10 +43,13 @@ protected:
     struct Step {
         StepReport report;
         std::vector<Vec3> difference; ///< of the position from the companion's [m]; empty without companion
+        bool gains = false;           ///< energy that no one put in; only looked at if guarded
     };
     /// One step as it is, solved or not.
     [[nodiscard]] Result<Step> once(ParticleState& state, double h, const Vec3& gravity, std::span<Stage* const> stages,
-                                    std::stop_token stop);
+                                    std::stop_token stop) {
+        return once(tableau_, state, h, gravity, stages, stop);
+    }
     [[nodiscard]] Result<StepReport> advance(ParticleState& state, double duration, const Vec3& gravity,
                                              std::span<Stage* const> stages, std::stop_token stop) override;
 
@@ -51,6 +57,9 @@ protected:
     [[nodiscard]] const ImplicitSettings& settings() const { return settings_; }
 
 private:
+    [[nodiscard]] Result<Step> once(const ButcherTableau& tableau, ParticleState& state, double h, const Vec3& gravity,
+                                    std::span<Stage* const> stages, std::stop_token stop);
+
     const ButcherTableau& tableau_;
     ImplicitSettings settings_;
     ImplicitStage stage_;
