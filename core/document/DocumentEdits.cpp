@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/DocumentEdits.h"
 
-#include "core/document/SceneCheck.h"
+#include "core/simulation/SceneCheck.h"
 
 #include <utility>
 
@@ -25,7 +25,7 @@ Document withAvatar(const Document& document, std::string file) {
 }
 
 Result<Document> withScene(const Document& document, const simulation::SceneSettings& scene) {
-    if (const auto problems = checkScene(scene); !problems.empty())
+    if (const auto problems = simulation::checkScene(scene); !problems.empty())
         return fail(ErrorCode::invalidInput, problems.front().text, problems.front().place);
     Document next = document;
     next.scene = scene;

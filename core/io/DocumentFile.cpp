@@ -2,9 +2,9 @@
 #include "core/io/DocumentFile.h"
 
 #include "core/base/RegularFile.h"
-#include "core/document/SceneCheck.h"
 #include "core/io/ToileFile.h"
 #include "core/pattern/PatternCheck.h"
+#include "core/simulation/SceneCheck.h"
 
 #include <algorithm>
 #include <cctype>
@@ -72,7 +72,7 @@ Result<Checked> checkFile(const std::string& path) {
         checked.problems.insert(checked.problems.end(), more.begin(), more.end());
     };
     append(checkAvatar(checked.document, path));
-    append(document::checkScene(checked.document.scene));
+    append(simulation::checkScene(checked.document.scene));
     append(pattern::checkPattern(checked.document.pattern));
     const bool isOurs = extensionOf(path) == ".toile"; // paths of another format are not those of the document
     const auto json = isOurs ? parseJson(*text, path) : Result<Json>(Json());

@@ -5,6 +5,7 @@
 #include "core/simulation/LayersApart.h"
 #include "core/simulation/LevelsOf.h"
 #include "core/simulation/PlanOf.h"
+#include "core/simulation/SceneCheck.h"
 #include "core/simulation/SeamClosing.h"
 #include "core/simulation/Topology.h"
 
@@ -38,6 +39,12 @@ constexpr int tautSubsteps = 4, tautFrames = 12;
 constexpr double tautDamping = 10;
 /// A seam that is still open this long after its ramp ended is given up, so that the next order may begin [s].
 constexpr double patience = 2.0;
+
+Result<void> checkedSettings(const SceneSettings& settings) {
+    const auto problems = checkScene(settings);
+    if (problems.empty()) return {};
+    return fail(ErrorCode::invalidInput, problems.front().text, problems.front().place);
+}
 
 Result<std::shared_ptr<const collision::BodySurface>> surfaceOf(const Scene& scene) {
     if (!scene.body) return nullptr;
@@ -139,6 +146,7 @@ Simulation::Simulation(Scene scene, Garment garment, std::shared_ptr<const colli
 }
 
 Result<Simulation> Simulation::create(Scene scene, const MeshOverrides& overrides) {
+    if (auto sound = checkedSettings(scene.settings); !sound) return tl::unexpected(sound.error());
     auto body = surfaceOf(scene);
     if (!body) return tl::unexpected(body.error());
     auto garment = flatGarment(scene, overrides);
@@ -149,6 +157,7 @@ Result<Simulation> Simulation::create(Scene scene, const MeshOverrides& override
 }
 
 Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) {
+    if (auto sound = checkedSettings(scene.settings); !sound) return tl::unexpected(sound.error());
     const bool sameBody = scene.body.has_value() == before.scene_.body.has_value() &&
                           (!scene.body || scene.body->sameAs(*before.scene_.body));
     auto body = sameBody ? Result<std::shared_ptr<const collision::BodySurface>>(before.body_) : surfaceOf(scene);

@@ -3,6 +3,7 @@
 #include "core/simulation/Runner.h"
 
 #include <QtTest>
+#include <limits>
 #include <random>
 
 using namespace toile;
@@ -18,6 +19,7 @@ private slots:
     void aStepIsOneFrame();
     void resetReturnsToThePlacement();
     void aWrongSceneGivesAMessage();
+    void settingsThatNoSimulationCanRunWithGiveAMessage();
     void aGarmentGoesOnAfterASceneThatCannotBeBuilt();
     void aGarmentAtRestSleepsUntilSomethingChanges();
     void aHandWakesAGarmentAtRest();
@@ -109,6 +111,18 @@ void tst_Runner::aWrongSceneGivesAMessage() {
     const auto frame = waitForFrame(runner, [](const Frame& f) { return !f.message.empty(); });
     QVERIFY(frame);
     QVERIFY(frame->positions.empty());
+}
+
+void tst_Runner::settingsThatNoSimulationCanRunWithGiveAMessage() {
+    Runner runner;
+    Scene scene = twoSquares(0.05);
+    std::uint64_t generation = 0;
+    for (const double frameStep : {-1.0, 0.0, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
+        scene.settings.frameStep = frameStep;
+        runner.setScene(scene, ++generation);
+        const auto frame = waitForFrame(runner, [&](const Frame& f) { return f.generation == generation; });
+        QVERIFY(frame && frame->message.find("Expected") != std::string::npos);
+    }
 }
 
 void tst_Runner::aGarmentGoesOnAfterASceneThatCannotBeBuilt() {

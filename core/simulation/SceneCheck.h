@@ -6,9 +6,9 @@
 
 #include <vector>
 
-namespace toile::document {
+namespace toile::simulation {
 
 /// Settings that no simulation can run with. Paths start at "scene".
-[[nodiscard]] std::vector<pattern::Problem> checkScene(const simulation::SceneSettings& scene);
+[[nodiscard]] std::vector<pattern::Problem> checkScene(const SceneSettings& scene);
 
-} // namespace toile::document
+} // namespace toile::simulation

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/SceneCheck.h"
+#include "core/simulation/SceneCheck.h"
 
 #include <cmath>
 #include <fmt/format.h>
 
-namespace toile::document {
+namespace toile::simulation {
 
-std::vector<pattern::Problem> checkScene(const simulation::SceneSettings& scene) {
+namespace {
+
+constexpr double longestFrameStep = 1; // as long as integrators go at once [s]
+constexpr int mostSubsteps = 100'000;
+
+} // namespace
+
+std::vector<pattern::Problem> checkScene(const SceneSettings& scene) {
     struct Field {
         const char* path;
         double value;
@@ -26,9 +33,12 @@ std::vector<pattern::Problem> checkScene(const simulation::SceneSettings& scene)
         if (!std::isfinite(f.value) || f.value < 0 || (f.value == 0 && !f.zeroAllowed))
             add(f.path,
                 fmt::format("Expected a number {} 0, but found {}.", f.zeroAllowed ? "of at least" : "above", f.value));
-    if (scene.substeps < 0)
-        add("scene.substeps", fmt::format("Expected 0 or more substeps, but found {}.", scene.substeps));
+    if (scene.frameStep > longestFrameStep)
+        add("scene.frameStep", fmt::format("Expected at most {} s, but found {}.", longestFrameStep, scene.frameStep));
+    if (scene.substeps < 0 || scene.substeps > mostSubsteps)
+        add("scene.substeps",
+            fmt::format("Expected between 0 and {} substeps, but found {}.", mostSubsteps, scene.substeps));
     return problems;
 }
 
-} // namespace toile::document
+} // namespace toile::simulation
