@@ -18,7 +18,8 @@ std::string_view nameOf(Verdict verdict) {
 
 std::vector<Case> allCases() {
     std::vector<Case> all;
-    for (const auto& chapter : {stiffnessCases, degenerateCases, loadCases, contactCases, sewingCases, enduranceCases})
+    for (const auto& chapter :
+         {stiffnessCases, degenerateCases, loadCases, contactCases, sewingCases, enduranceCases, handCases, fileCases})
         for (const Case& one : chapter()) all.push_back(one);
     std::ranges::stable_sort(all, {}, [](const Case& one) { return std::stoi(std::string(one.number.substr(1))); });
     return all;
@@ -28,13 +29,9 @@ std::vector<NotRun> casesNotRun() {
     constexpr std::string_view notBuilt = "It is not built yet.";
     return {
         {"S19", "a million cells", "Minutes and gigabytes: ./dev bench measures meshes of that size."},
-        {"S20", "every number of a file mutated", notBuilt},
-        {"S27", "a hand that drags 10 m in a frame", "The hand that drags cloth is being built."},
         {"S30", "petticoat of three layers", notBuilt},
         {"S32", "knife pleats", "Pleats cannot be drawn yet."},
         {"S35", "arms lifted in 0.3 s", "Bodies do not move yet."},
-        {"S36", "body 10 or 0.1 times too big",
-         "Bodies are judged when they are read, which is not this room's work: tests/io/tst_BodyImport."},
         {"S37", "cloth knotted between arm and torso", "Bodies do not move yet."},
         {"S38", "one garment at 30, 10 and 3 mm", notBuilt},
     };

@@ -64,5 +64,7 @@ struct NotRun {
 [[nodiscard]] std::vector<Case> contactCases();
 [[nodiscard]] std::vector<Case> sewingCases();
 [[nodiscard]] std::vector<Case> enduranceCases();
+[[nodiscard]] std::vector<Case> handCases();
+[[nodiscard]] std::vector<Case> fileCases();
 
 } // namespace toile::study::stability

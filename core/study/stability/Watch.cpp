@@ -16,14 +16,6 @@ namespace {
 using dynamics::Energies;
 using dynamics::Method;
 
-/// Largest stretch of a structural spring [–].
-double stretchOf(const cloth::ClothModel& model, std::span<const Vec3> x) {
-    double most = 0;
-    for (const cloth::Spring& s : model.structural)
-        if (s.restLength > 0) most = std::max(most, geometry::distance(x[s.a], x[s.b]) / s.restLength - 1);
-    return most;
-}
-
 double speedOf(const dynamics::ParticleState& state) {
     double most = 0;
     for (const Vec3& v : state.velocities) most = std::max(most, length(v));
@@ -54,6 +46,14 @@ std::optional<double> largest(std::optional<double> a, std::optional<double> b) 
 }
 
 } // namespace
+
+double stretchOf(const cloth::ClothModel& model, std::span<const Vec3> positions) {
+    double most = 0;
+    for (const cloth::Spring& s : model.structural)
+        if (s.restLength > 0)
+            most = std::max(most, geometry::distance(positions[s.a], positions[s.b]) / s.restLength - 1);
+    return most;
+}
 
 Metrics worst(const Metrics& a, const Metrics& b) {
     std::optional<double> distance = a.distance ? a.distance : b.distance;

@@ -53,6 +53,9 @@ struct Watched {
 [[nodiscard]] Watched watched(const cloth::ClothModel& model, dynamics::ParticleState& state,
                               const WatchSettings& settings, std::span<dynamics::Stage* const> stages = {});
 
+/// Largest stretch of a structural spring [–].
+[[nodiscard]] double stretchOf(const cloth::ClothModel& model, std::span<const Vec3> positions);
+
 /// The cloth as position-based substeps of this length see it: no element is stiffer than cap/(w h²).
 [[nodiscard]] cloth::ClothModel capped(cloth::ClothModel model, double h, double cap);
 
