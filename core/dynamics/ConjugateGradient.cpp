@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/ConjugateGradient.h"
 
+#include "core/dynamics/BlockVectors.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 
@@ -31,18 +33,6 @@ void precondition(const std::vector<Block>& inverses, std::span<const Vec3> r, s
         z[i] = {a[0] * r[i].x + a[1] * r[i].y + a[2] * r[i].z, a[3] * r[i].x + a[4] * r[i].y + a[5] * r[i].z,
                 a[6] * r[i].x + a[7] * r[i].y + a[8] * r[i].z};
     }
-}
-
-double dotOf(std::span<const Vec3> a, std::span<const Vec3> b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i], b[i]);
-    return sum;
-}
-
-double largestOf(std::span<const Vec3> v) {
-    double squared = 0;
-    for (const Vec3& e : v) squared = std::max(squared, squaredLength(e));
-    return std::sqrt(squared);
 }
 
 } // namespace

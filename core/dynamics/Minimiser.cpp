@@ -4,6 +4,7 @@
 #include "core/base/Contracts.h"
 #include "core/cloth/Forces.h"
 #include "core/dynamics/BlockSolver.h"
+#include "core/dynamics/BlockVectors.h"
 #include "core/dynamics/Eliminated.h"
 #include "core/dynamics/TrustedStep.h"
 
@@ -61,12 +62,6 @@ private:
 
 bool allFinite(std::span<const Vec3> values) {
     return std::ranges::all_of(values, [](const Vec3& v) { return isFinite(v); });
-}
-
-double dotOf(std::span<const Vec3> a, std::span<const Vec3> b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i], b[i]);
-    return sum;
 }
 
 } // namespace

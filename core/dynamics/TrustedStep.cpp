@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/TrustedStep.h"
 
+#include "core/dynamics/BlockVectors.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace toile::dynamics {
 namespace {
-
-double dotOf(std::span<const Vec3> a, std::span<const Vec3> b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i], b[i]);
-    return sum;
-}
-
-double largestOf(std::span<const Vec3> v) {
-    double squared = 0;
-    for (const Vec3& e : v) squared = std::max(squared, squaredLength(e));
-    return std::sqrt(squared);
-}
 
 /// to += factor · by
 void add(std::span<Vec3> to, double factor, std::span<const Vec3> by) {
