@@ -5,22 +5,17 @@
 #include "core/simulation/LayersApart.h"
 #include "core/simulation/LevelsOf.h"
 #include "core/simulation/PlanOf.h"
-#include "core/simulation/SceneCheck.h"
-#include "core/simulation/SeamClosing.h"
 #include "core/simulation/Topology.h"
 
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
-#include <limits>
 
 namespace toile::simulation {
 namespace {
 
 constexpr double restingSpeed = 0.005; // [m/s]
 constexpr double longEnough = 0.5;     ///< that slow, for a garment to be at rest [s]
-constexpr MergeRule mergeRule;
-constexpr TackSettings tackSettings;
 constexpr DressingSettings dressing;
 /// Of the methods that adapt their step: RMS error of a part [m].
 constexpr double positionTolerance = 1e-4;
@@ -34,42 +29,6 @@ constexpr double handDamping = 5;
 constexpr int handSubsteps = 40;
 /// Of a garment that lay and goes on after an edit, until it lies again [1/s].
 constexpr double editDamping = 12;
-/// Before statics of fine cloth: so many times the substeps, for so many frame steps, with so much damping [1/s].
-constexpr int tautSubsteps = 4, tautFrames = 12;
-constexpr double tautDamping = 10;
-/// A seam that is still open this long after its ramp ended is given up, so that the next order may begin [s].
-constexpr double patience = 2.0;
-
-Result<void> checkedSettings(const SceneSettings& settings) {
-    const auto problems = checkScene(settings);
-    if (problems.empty()) return {};
-    return fail(ErrorCode::invalidInput, problems.front().text, problems.front().place);
-}
-
-Result<std::shared_ptr<const collision::BodySurface>> surfaceOf(const Scene& scene) {
-    if (!scene.body) return nullptr;
-    auto surface = collision::BodySurface::create((*scene.body)->mesh);
-    if (!surface) return tl::unexpected(surface.error());
-    return std::make_shared<const collision::BodySurface>(std::move(*surface));
-}
-
-Result<Garment> flatGarment(const Scene& scene, const MeshOverrides& overrides) {
-    MeshOverrides asked = overrides;
-    if (scene.paper && !asked.rule) asked.rule = pattern::LineRule::paper;
-    const auto input = meshInputOf(scene.pattern, asked);
-    if (!input) return tl::unexpected(input.error());
-    auto mesh = meshing::meshGarment(*input);
-    if (!mesh) return tl::unexpected(mesh.error());
-    std::vector<bool> merged(mesh->seams.size(), false);
-    return makeGarment(scene.pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), std::move(merged), scene.paper);
-}
-
-/// The paper's way knows seams alone.
-Result<std::vector<TackState>> threadsOf(const Scene& scene, const Garment& garment) {
-    if (scene.paper) return std::vector<TackState>{};
-    return tacksOf(scene.pattern, *garment.mesh, tackSettings);
-}
-
 /// Particles where nodes are; nodes of one particle are taken at their mean.
 std::vector<Vec3> particlePositions(const ParticleMap& map, const std::vector<Vec3>& nodes) {
     std::vector<Vec3> sum(map.particleCount);
@@ -80,28 +39,6 @@ std::vector<Vec3> particlePositions(const ParticleMap& map, const std::vector<Ve
     }
     for (int particle = 0; particle < map.particleCount; ++particle) sum[particle] = sum[particle] / count[particle];
     return sum;
-}
-
-/// Particles that become one take their common centre of mass and momentum.
-dynamics::ParticleState merged(const dynamics::ParticleState& before, const Garment& from, const Garment& to) {
-    constexpr double massOfSlaves = 1e-12; // a slave has no mass of its own and never merges; any weight will do
-    const int count = to.particles.particleCount;
-    dynamics::ParticleState after{std::vector<Vec3>(count), std::vector<Vec3>(count), before.time};
-    std::vector<double> mass(count, 0);
-    std::vector<char> counted(from.particles.particleCount, 0);
-    for (std::size_t node = 0; node < from.particles.particleOf.size(); ++node) {
-        const int old = from.particles.particleOf[node], now = to.particles.particleOf[node];
-        if (counted[old]++) continue;
-        const double m = std::max(from.model.mass[old], massOfSlaves);
-        after.positions[now] += before.positions[old] * m;
-        after.velocities[now] += before.velocities[old] * m;
-        mass[now] += m;
-    }
-    for (int particle = 0; particle < count; ++particle) {
-        after.positions[particle] = after.positions[particle] / mass[particle];
-        after.velocities[particle] = after.velocities[particle] / mass[particle];
-    }
-    return after;
 }
 
 void addCosts(std::vector<StepPlan::StageCost>& sum, const std::vector<StepPlan::StageCost>& more) {
@@ -116,18 +53,12 @@ void addCosts(std::vector<StepPlan::StageCost>& sum, const std::vector<StepPlan:
     }
 }
 
-/// When a garment was sewn that has been dressed, and left by its coarse levels, by now.
-double longSewn(double now) {
-    return now - 1 - dressing.shakingTime - dressing.levelsTime;
-}
-
 } // namespace
 
-Simulation::Simulation(Scene scene, Garment garment, std::shared_ptr<const collision::BodySurface> body,
-                       MeshOverrides overrides, std::vector<TackState> tacks)
-    : scene_(std::move(scene)), garment_(std::make_unique<const Garment>(std::move(garment))), body_(std::move(body)),
-      topology_(topologyOf(scene_.pattern, *garment_->mesh)), grips_(std::make_shared<std::vector<Grip>>()),
-      overrides_(std::move(overrides)), tacks_(std::move(tacks)) {
+Simulation::Simulation(Scene scene, SceneParts parts, MeshOverrides overrides)
+    : scene_(std::move(scene)), garment_(std::make_unique<const Garment>(std::move(parts.garment))),
+      body_(std::move(parts.body)), topology_(topologyOf(scene_.pattern, *garment_->mesh)),
+      grips_(std::make_shared<std::vector<Grip>>()), overrides_(std::move(overrides)), tacks_(std::move(parts.tacks)) {
     state_.positions = particlePositions(garment_->particles,
                                          placedNodes(layersApart(scene_.pattern, *garment_->mesh), *garment_->mesh));
     state_.velocities.assign(state_.positions.size(), Vec3{});
@@ -146,27 +77,16 @@ Simulation::Simulation(Scene scene, Garment garment, std::shared_ptr<const colli
 }
 
 Result<Simulation> Simulation::create(Scene scene, const MeshOverrides& overrides) {
-    if (auto sound = checkedSettings(scene.settings); !sound) return tl::unexpected(sound.error());
-    auto body = surfaceOf(scene);
-    if (!body) return tl::unexpected(body.error());
-    auto garment = flatGarment(scene, overrides);
-    if (!garment) return tl::unexpected(garment.error());
-    auto tacks = threadsOf(scene, *garment);
-    if (!tacks) return tl::unexpected(tacks.error());
-    return Simulation(std::move(scene), std::move(*garment), std::move(*body), overrides, std::move(*tacks));
+    auto parts = partsOf(scene, overrides);
+    if (!parts) return tl::unexpected(parts.error());
+    return Simulation(std::move(scene), std::move(*parts), overrides);
 }
 
 Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) {
-    if (auto sound = checkedSettings(scene.settings); !sound) return tl::unexpected(sound.error());
-    const bool sameBody = scene.body.has_value() == before.scene_.body.has_value() &&
-                          (!scene.body || scene.body->sameAs(*before.scene_.body));
-    auto body = sameBody ? Result<std::shared_ptr<const collision::BodySurface>>(before.body_) : surfaceOf(scene);
-    if (!body) return tl::unexpected(body.error());
-    auto garment = flatGarment(scene, {});
-    if (!garment) return tl::unexpected(garment.error());
-    auto tacks = threadsOf(scene, *garment);
-    if (!tacks) return tl::unexpected(tacks.error());
-    Simulation after(std::move(scene), std::move(*garment), std::move(*body), {}, std::move(*tacks));
+    const bool sameBody = scene.body && before.scene_.body && scene.body->sameAs(*before.scene_.body);
+    auto parts = partsOf(scene, {}, sameBody ? before.body_ : nullptr);
+    if (!parts) return tl::unexpected(parts.error());
+    Simulation after(std::move(scene), std::move(*parts), {});
 
     const std::vector<Vec3> draped = before.nodePositions();
     std::vector<Vec3> nodes = after.nodePositions();
@@ -310,107 +230,6 @@ void Simulation::note(double duration, const dynamics::StepReport& step) {
     phases_.back().unsolvedSteps += !step.accurate;
 }
 
-std::vector<std::size_t> Simulation::closingSeams() const {
-    std::vector<std::size_t> closing;
-    for (std::size_t seam = 0; seam < seams_.size(); ++seam)
-        if (!seams_[seam].merged && seamStart_[seam] >= 0) closing.push_back(seam);
-    return closing;
-}
-
-bool Simulation::isOver(double start) const {
-    return start >= 0 && state_.time > start + scene_.settings.seamTime + patience;
-}
-
-std::size_t Simulation::closingTacks() const {
-    return std::ranges::count_if(tacks_, [&](const TackState& tack) { return tack.start >= 0 && !tack.closed; });
-}
-
-Phase Simulation::duePhase() const {
-    for (std::size_t seam = 0; seam < seams_.size(); ++seam)
-        if (!seams_[seam].merged && !givenUp(seam)) return Phase::sewing;
-    for (const TackState& tack : tacks_)
-        if (!tack.closed && !isOver(tack.start)) return Phase::sewing;
-    if (phase_ == Phase::sewing) return drapingMethod_ && !goesOnAsItLay_ ? Phase::shaking : Phase::draping;
-    return state_.time > sewnTime_ + dressing.shakingTime ? Phase::draping : phase_;
-}
-
-void Simulation::startDue() {
-    // The smallest order that is not done yet begins; one that cannot close does not hold up the next for ever.
-    int due = std::numeric_limits<int>::max();
-    for (std::size_t seam = 0; seam < seams_.size(); ++seam)
-        if (!seams_[seam].merged && !givenUp(seam)) due = std::min(due, seams_[seam].order);
-    for (const TackState& tack : tacks_)
-        if (!tack.closed && !isOver(tack.start)) due = std::min(due, tack.order);
-    for (std::size_t tack = 0; tack < tacks_.size(); ++tack) {
-        if (tacks_[tack].start >= 0 || tacks_[tack].order > due) continue;
-        tacks_[tack].start = state_.time;
-        tacks_[tack].startGap = gapOfTack(tack);
-    }
-    for (std::size_t seam = 0; seam < seams_.size(); ++seam) {
-        if (seams_[seam].merged || seamStart_[seam] >= 0 || seams_[seam].order > due) continue;
-        seamStart_[seam] = state_.time;
-        seamGaps_[seam].clear();
-        for (const auto& [a, b] : garment_->mesh->seams[seam].pairs)
-            seamGaps_[seam].push_back(geometry::distance(state_.positions[garment_->particles.particle(a)],
-                                                         state_.positions[garment_->particles.particle(b)]));
-    }
-}
-
-bool Simulation::mayMerge(std::size_t seam) const {
-    return std::ranges::all_of(garment_->mesh->seams[seam].pairs, [&](const auto& pair) {
-        const int a = garment_->particles.particle(pair[0]), b = garment_->particles.particle(pair[1]);
-        return geometry::distance(state_.positions[a], state_.positions[b]) <= mergeRule.gap &&
-               geometry::distance(state_.velocities[a], state_.velocities[b]) <= mergeRule.relativeSpeed;
-    });
-}
-
-Result<void> Simulation::mergeReadySeams() {
-    std::vector<bool> mergedSeams = garment_->mergedSeams;
-    bool changed = false;
-    for (const std::size_t seam : closingSeams()) {
-        if (!mayMerge(seam)) continue;
-        seams_[seam].gapAtMerge = gapOf(seam).maximum;
-        mergedSeams[seam] = changed = true;
-    }
-    if (!changed) return {};
-    auto sewn = makeGarment(scene_.pattern, garment_->mesh, std::move(mergedSeams), scene_.paper);
-    if (!sewn) return tl::unexpected(sewn.error());
-    state_ = merged(state_, *garment_, *sewn);
-    garment_ = std::make_unique<const Garment>(std::move(*sewn));
-    levels_.reset();
-    whyNoLevels_.clear();
-    for (std::size_t seam = 0; seam < seams_.size(); ++seam) seams_[seam].merged = garment_->mergedSeams[seam];
-    rebuildPlan();
-    return {};
-}
-
-bool Simulation::hasClosed(const TackState& tack) const {
-    const ParticleMap& particles = garment_->particles;
-    return gapBetween(tack, particles, state_.positions) <= tackSettings.closedGap &&
-           length(wayBetween(tack, particles, state_.velocities)) <= tackSettings.closedSpeed;
-}
-
-/// From now on their threads hold with their whole strength, also where forces are solved for.
-void Simulation::holdClosedTacks() {
-    bool changed = false;
-    for (TackState& tack : tacks_)
-        if (tack.start >= 0 && !tack.closed && hasClosed(tack)) tack.closed = changed = true;
-    if (changed) rebuildPlan();
-}
-
-void Simulation::goOnDressing() {
-    const std::size_t closing = closingSeams().size() + closingTacks();
-    startDue();
-    const Phase due = duePhase();
-    if (due != phase_ && phase_ == Phase::sewing)
-        sewnTime_ = goesOnAsItLay_ ? longSewn(state_.time) : state_.time; // what lay needs no levels to fall
-    if (due == phase_ && closingSeams().size() + closingTacks() == closing && damping() == plannedDamping_ &&
-        levelsMayHelp() == plannedLevels_)
-        return;
-    phase_ = due;
-    rebuildPlan();
-}
-
 Result<void> Simulation::advance(std::stop_token stop) {
     const auto start = std::chrono::steady_clock::now();
     const double duration = scene_.settings.frameStep;
@@ -448,61 +267,6 @@ std::vector<StepPlan::StageCost> Simulation::stageCosts() const {
         {"cloth", std::max(0.0, allSeconds_ - inStages),
          (xpbd_ ? xpbd_->bytes() : 0) + (levels_ ? levels_->bytes() : 0) + (integrator_ ? integrator_->bytes() : 0)});
     return costs;
-}
-
-/// Cloth is as soft as its substeps are long: statics would have to draw it taut first, which many short ones do for a
-/// tenth of the time where the mesh is fine. The clock stands still.
-Result<void> Simulation::drawTaut(std::stop_token stop) {
-    const double time = state_.time, duration = scene_.settings.frameStep;
-    const int substeps = dynamics::substepsFor(duration, dynamics::springsOnLongestLine(garment_->model),
-                                               length(scene_.settings.gravity));
-    if (drapingMethod_ != dynamics::Method::xpbd || scene_.paper || coarseLevelsFor(substeps) == 0) return {};
-    dynamics::Xpbd xpbd(garment_->model, {.damping = tautDamping, .speedLimit = 10});
-    for (int frame = 0; frame < tautFrames; ++frame)
-        if (auto done = xpbd.step(state_, duration, tautSubsteps * substeps, gravity(), plan_.stages(), stop); !done)
-            return done;
-    state_.time = time;
-    return {};
-}
-
-Result<dynamics::StaticReport> Simulation::settle(const dynamics::StaticSettings& settings, std::stop_token stop,
-                                                  const Progress& progress) {
-    const dynamics::ParticleState before = state_;
-    if (const auto taut = drawTaut(stop); !taut) {
-        state_ = before;
-        return tl::unexpected(taut.error());
-    }
-    auto report = dynamics::solveStatic(garment_->model, state_, scene_.settings.gravity, plan_.stages(), settings,
-                                        stop, progress);
-    if (!report) {
-        state_ = before;
-        return report;
-    }
-    report->displacementMaximum = 0;
-    for (std::size_t p = 0; p < state_.positions.size(); ++p)
-        report->displacementMaximum =
-            std::max(report->displacementMaximum, geometry::distance(before.positions[p], state_.positions[p]));
-    return report;
-}
-
-bool Simulation::allSeamsMerged() const {
-    return std::ranges::all_of(seams_, [](const SeamState& seam) { return seam.merged; });
-}
-
-SeamGap Simulation::gapOf(std::size_t seam) const {
-    SeamGap gap;
-    const auto& pairs = garment_->mesh->seams[seam].pairs;
-    for (const auto& [a, b] : pairs) {
-        const double d = geometry::distance(state_.positions[garment_->particles.particle(a)],
-                                            state_.positions[garment_->particles.particle(b)]);
-        gap.maximum = std::max(gap.maximum, d);
-        gap.mean += d / static_cast<double>(pairs.size());
-    }
-    return gap;
-}
-
-double Simulation::gapOfTack(std::size_t tack) const {
-    return gapBetween(tacks_[tack], garment_->particles, state_.positions);
 }
 
 std::vector<Vec3> Simulation::nodePositions() const {

@@ -11,8 +11,8 @@
 #include "core/simulation/Frame.h"
 #include "core/simulation/Garment.h"
 #include "core/simulation/Grips.h"
-#include "core/simulation/MeshInputOf.h"
 #include "core/simulation/Scene.h"
+#include "core/simulation/SceneParts.h"
 #include "core/simulation/StepPlan.h"
 #include "core/simulation/Tacks.h"
 
@@ -94,7 +94,8 @@ public:
     [[nodiscard]] Result<void> advance(std::stop_token stop = {});
 
     /// Goes on to the equilibrium with contact and friction by Newton's method; fine cloth that drapes by
-    /// position-based steps is drawn taut first.
+    /// position-based steps is drawn taut first. With no iterations allowed nothing moves, and the report says how far
+    /// from equilibrium the cloth is.
     [[nodiscard]] Result<dynamics::StaticReport> settle(const dynamics::StaticSettings& settings,
                                                         std::stop_token stop = {}, const Progress& progress = {});
 
@@ -130,8 +131,7 @@ public:
     [[nodiscard]] Frame frame() const;
 
 private:
-    Simulation(Scene scene, Garment garment, std::shared_ptr<const collision::BodySurface> body,
-               MeshOverrides overrides, std::vector<TackState> tacks);
+    Simulation(Scene scene, SceneParts parts, MeshOverrides overrides);
 
     void rebuildPlan();
     void planSubsteps();

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/SceneParts.h"
+
+#include "core/simulation/SceneCheck.h"
+
+namespace toile::simulation {
+namespace {
+
+Result<void> checkedSettings(const SceneSettings& settings) {
+    const auto problems = checkScene(settings);
+    if (problems.empty()) return {};
+    return fail(ErrorCode::invalidInput, problems.front().text, problems.front().place);
+}
+
+Result<std::shared_ptr<const collision::BodySurface>> surfaceOf(const Scene& scene) {
+    if (!scene.body) return nullptr;
+    auto surface = collision::BodySurface::create((*scene.body)->mesh);
+    if (!surface) return tl::unexpected(surface.error());
+    return std::make_shared<const collision::BodySurface>(std::move(*surface));
+}
+
+Result<Garment> flatGarment(const Scene& scene, const MeshOverrides& overrides) {
+    MeshOverrides asked = overrides;
+    if (scene.paper && !asked.rule) asked.rule = pattern::LineRule::paper;
+    const auto input = meshInputOf(scene.pattern, asked);
+    if (!input) return tl::unexpected(input.error());
+    auto mesh = meshing::meshGarment(*input);
+    if (!mesh) return tl::unexpected(mesh.error());
+    std::vector<bool> merged(mesh->seams.size(), false);
+    return makeGarment(scene.pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), std::move(merged), scene.paper);
+}
+
+/// The paper's way knows seams alone.
+Result<std::vector<TackState>> threadsOf(const Scene& scene, const Garment& garment) {
+    if (scene.paper) return std::vector<TackState>{};
+    return tacksOf(scene.pattern, *garment.mesh, TackSettings{});
+}
+
+} // namespace
+
+Result<SceneParts> partsOf(const Scene& scene, const MeshOverrides& overrides,
+                           std::shared_ptr<const collision::BodySurface> standing) {
+    if (auto sound = checkedSettings(scene.settings); !sound) return tl::unexpected(sound.error());
+    if (!standing) {
+        auto surface = surfaceOf(scene);
+        if (!surface) return tl::unexpected(surface.error());
+        standing = std::move(*surface);
+    }
+    auto garment = flatGarment(scene, overrides);
+    if (!garment) return tl::unexpected(garment.error());
+    auto tacks = threadsOf(scene, *garment);
+    if (!tacks) return tl::unexpected(tacks.error());
+    return SceneParts{std::move(*garment), std::move(*tacks), std::move(standing)};
+}
+
+} // namespace toile::simulation

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Simulation.h"
+
+#include <algorithm>
+#include <limits>
+
+/// How a garment is put on: which seams and tacks are drawn together when, and when they are closed.
+namespace toile::simulation {
+namespace {
+
+constexpr MergeRule mergeRule;
+constexpr TackSettings tackSettings;
+constexpr DressingSettings dressing;
+/// A seam that is still open this long after its ramp ended is given up, so that the next order may begin [s].
+constexpr double patience = 2.0;
+
+/// Particles that become one take their common centre of mass and momentum.
+dynamics::ParticleState merged(const dynamics::ParticleState& before, const Garment& from, const Garment& to) {
+    constexpr double massOfSlaves = 1e-12; // a slave has no mass of its own and never merges; any weight will do
+    const int count = to.particles.particleCount;
+    dynamics::ParticleState after{std::vector<Vec3>(count), std::vector<Vec3>(count), before.time};
+    std::vector<double> mass(count, 0);
+    std::vector<char> counted(from.particles.particleCount, 0);
+    for (std::size_t node = 0; node < from.particles.particleOf.size(); ++node) {
+        const int old = from.particles.particleOf[node], now = to.particles.particleOf[node];
+        if (counted[old]++) continue;
+        const double m = std::max(from.model.mass[old], massOfSlaves);
+        after.positions[now] += before.positions[old] * m;
+        after.velocities[now] += before.velocities[old] * m;
+        mass[now] += m;
+    }
+    for (int particle = 0; particle < count; ++particle) {
+        after.positions[particle] = after.positions[particle] / mass[particle];
+        after.velocities[particle] = after.velocities[particle] / mass[particle];
+    }
+    return after;
+}
+
+/// When a garment was sewn that has been dressed, and left by its coarse levels, by now.
+double longSewn(double now) {
+    return now - 1 - dressing.shakingTime - dressing.levelsTime;
+}
+
+} // namespace
+
+std::vector<std::size_t> Simulation::closingSeams() const {
+    std::vector<std::size_t> closing;
+    for (std::size_t seam = 0; seam < seams_.size(); ++seam)
+        if (!seams_[seam].merged && seamStart_[seam] >= 0) closing.push_back(seam);
+    return closing;
+}
+
+bool Simulation::isOver(double start) const {
+    return start >= 0 && state_.time > start + scene_.settings.seamTime + patience;
+}
+
+std::size_t Simulation::closingTacks() const {
+    return std::ranges::count_if(tacks_, [&](const TackState& tack) { return tack.start >= 0 && !tack.closed; });
+}
+
+Phase Simulation::duePhase() const {
+    for (std::size_t seam = 0; seam < seams_.size(); ++seam)
+        if (!seams_[seam].merged && !givenUp(seam)) return Phase::sewing;
+    for (const TackState& tack : tacks_)
+        if (!tack.closed && !isOver(tack.start)) return Phase::sewing;
+    if (phase_ == Phase::sewing) return drapingMethod_ && !goesOnAsItLay_ ? Phase::shaking : Phase::draping;
+    return state_.time > sewnTime_ + dressing.shakingTime ? Phase::draping : phase_;
+}
+
+void Simulation::startDue() {
+    // The smallest order that is not done yet begins; one that cannot close does not hold up the next for ever.
+    int due = std::numeric_limits<int>::max();
+    for (std::size_t seam = 0; seam < seams_.size(); ++seam)
+        if (!seams_[seam].merged && !givenUp(seam)) due = std::min(due, seams_[seam].order);
+    for (const TackState& tack : tacks_)
+        if (!tack.closed && !isOver(tack.start)) due = std::min(due, tack.order);
+    for (std::size_t tack = 0; tack < tacks_.size(); ++tack) {
+        if (tacks_[tack].start >= 0 || tacks_[tack].order > due) continue;
+        tacks_[tack].start = state_.time;
+        tacks_[tack].startGap = gapOfTack(tack);
+    }
+    for (std::size_t seam = 0; seam < seams_.size(); ++seam) {
+        if (seams_[seam].merged || seamStart_[seam] >= 0 || seams_[seam].order > due) continue;
+        seamStart_[seam] = state_.time;
+        seamGaps_[seam].clear();
+        for (const auto& [a, b] : garment_->mesh->seams[seam].pairs)
+            seamGaps_[seam].push_back(geometry::distance(state_.positions[garment_->particles.particle(a)],
+                                                         state_.positions[garment_->particles.particle(b)]));
+    }
+}
+
+bool Simulation::mayMerge(std::size_t seam) const {
+    return std::ranges::all_of(garment_->mesh->seams[seam].pairs, [&](const auto& pair) {
+        const int a = garment_->particles.particle(pair[0]), b = garment_->particles.particle(pair[1]);
+        return geometry::distance(state_.positions[a], state_.positions[b]) <= mergeRule.gap &&
+               geometry::distance(state_.velocities[a], state_.velocities[b]) <= mergeRule.relativeSpeed;
+    });
+}
+
+Result<void> Simulation::mergeReadySeams() {
+    std::vector<bool> mergedSeams = garment_->mergedSeams;
+    bool changed = false;
+    for (const std::size_t seam : closingSeams()) {
+        if (!mayMerge(seam)) continue;
+        seams_[seam].gapAtMerge = gapOf(seam).maximum;
+        mergedSeams[seam] = changed = true;
+    }
+    if (!changed) return {};
+    auto sewn = makeGarment(scene_.pattern, garment_->mesh, std::move(mergedSeams), scene_.paper);
+    if (!sewn) return tl::unexpected(sewn.error());
+    state_ = merged(state_, *garment_, *sewn);
+    garment_ = std::make_unique<const Garment>(std::move(*sewn));
+    levels_.reset();
+    whyNoLevels_.clear();
+    for (std::size_t seam = 0; seam < seams_.size(); ++seam) seams_[seam].merged = garment_->mergedSeams[seam];
+    rebuildPlan();
+    return {};
+}
+
+bool Simulation::hasClosed(const TackState& tack) const {
+    const ParticleMap& particles = garment_->particles;
+    return gapBetween(tack, particles, state_.positions) <= tackSettings.closedGap &&
+           length(wayBetween(tack, particles, state_.velocities)) <= tackSettings.closedSpeed;
+}
+
+/// From now on their threads hold with their whole strength, also where forces are solved for.
+void Simulation::holdClosedTacks() {
+    bool changed = false;
+    for (TackState& tack : tacks_)
+        if (tack.start >= 0 && !tack.closed && hasClosed(tack)) tack.closed = changed = true;
+    if (changed) rebuildPlan();
+}
+
+void Simulation::goOnDressing() {
+    const std::size_t closing = closingSeams().size() + closingTacks();
+    startDue();
+    const Phase due = duePhase();
+    if (due != phase_ && phase_ == Phase::sewing)
+        sewnTime_ = goesOnAsItLay_ ? longSewn(state_.time) : state_.time; // what lay needs no levels to fall
+    if (due == phase_ && closingSeams().size() + closingTacks() == closing && damping() == plannedDamping_ &&
+        levelsMayHelp() == plannedLevels_)
+        return;
+    phase_ = due;
+    rebuildPlan();
+}
+
+bool Simulation::allSeamsMerged() const {
+    return std::ranges::all_of(seams_, [](const SeamState& seam) { return seam.merged; });
+}
+
+SeamGap Simulation::gapOf(std::size_t seam) const {
+    SeamGap gap;
+    const auto& pairs = garment_->mesh->seams[seam].pairs;
+    for (const auto& [a, b] : pairs) {
+        const double d = geometry::distance(state_.positions[garment_->particles.particle(a)],
+                                            state_.positions[garment_->particles.particle(b)]);
+        gap.maximum = std::max(gap.maximum, d);
+        gap.mean += d / static_cast<double>(pairs.size());
+    }
+    return gap;
+}
+
+double Simulation::gapOfTack(std::size_t tack) const {
+    return gapBetween(tacks_[tack], garment_->particles, state_.positions);
+}
+
+} // namespace toile::simulation
