@@ -28,10 +28,10 @@ std::string linesOf(const std::vector<Json>& records) {
 
 } // namespace
 
-Result<RecordBook> RecordBook::opened(const std::filesystem::path& folder, const study::Circumstances& circumstances,
+Result<RecordBook> RecordBook::opened(const std::filesystem::path& file, const study::Circumstances& circumstances,
                                       bool fresh) {
     RecordBook book;
-    book.file_ = folder / "results.jsonl";
+    book.file_ = file;
     std::ifstream old(book.file_);
     for (std::string line; !fresh && std::getline(old, line);)
         if (auto record = parseJson(line); record && isOf(*record, circumstances))

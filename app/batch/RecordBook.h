@@ -11,13 +11,13 @@
 
 namespace toile::batch {
 
-/// The records of a study, kept in its folder as they come: results.jsonl grows with every part of the study that is
-/// done, and a study that was stopped goes on where it was.
+/// The records of a study, kept in its folder as they come: the file grows with every part of the study that is done,
+/// and a study that was stopped goes on where it was.
 class RecordBook {
 public:
-    /// Takes up the records in the folder that this program wrote on this processor; fresh: none. Lines that are no
+    /// Takes up the records in the file that this program wrote on this processor; fresh: none. Lines that are no
     /// records, as the last of a program that was killed, are dropped.
-    [[nodiscard]] static Result<RecordBook> opened(const std::filesystem::path& folder,
+    [[nodiscard]] static Result<RecordBook> opened(const std::filesystem::path& file,
                                                    const study::Circumstances& circumstances, bool fresh);
 
     /// A part of the study: read from its records where they stand, else run now and its records written. keys: what

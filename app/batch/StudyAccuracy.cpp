@@ -54,7 +54,7 @@ int studyAccuracy(const StudyOptions& options, std::stop_token stop) {
     const study::Circumstances circumstances =
         circumstancesOf(fmt::format("toile-cli study accuracy{}{} --{} --out {}", options.cases.empty() ? "" : " ",
                                     fmt::join(options.cases, " "), options.full ? "full" : "quick", options.out));
-    auto book = RecordBook::opened(options.out, circumstances, options.fresh);
+    auto book = RecordBook::opened(fs::path(options.out) / "results.jsonl", circumstances, options.fresh);
     if (!book) {
         printError(book.error());
         return inputWrong;

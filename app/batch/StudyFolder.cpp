@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <fstream>
+#include <thread>
 
 namespace toile::batch {
 namespace {
@@ -32,8 +33,13 @@ Result<void> madeFolder(const std::string& folder) {
 
 study::Circumstances circumstancesOf(std::string command) {
     const BuildFacts facts = buildFacts();
-    return {fmt::format("toile-cli {} ({})", facts.version, facts.commit), std::move(command), processorName(),
-            study::calibrationSeconds()};
+    const double load = study::machineLoad(); // before the calibration adds to it
+    return {fmt::format("toile-cli {} ({})", facts.version, facts.commit),
+            std::move(command),
+            processorName(),
+            study::calibrationSeconds(),
+            static_cast<int>(std::thread::hardware_concurrency()),
+            load};
 }
 
 Result<void> writeReport(const fs::path& folder, const std::string& text, const std::vector<Json>& records) {

@@ -85,7 +85,7 @@ Result<std::vector<FeatureResult>> run(const StudyOptions& options, std::stop_to
     if (!features) return tl::unexpected(features.error());
     if (auto made = madeFolder(options.out); !made) return tl::unexpected(made.error());
     const study::Circumstances circumstances = circumstancesOf(commandOf(options));
-    auto book = RecordBook::opened(options.out, circumstances, options.fresh);
+    auto book = RecordBook::opened(std::filesystem::path(options.out) / "results.jsonl", circumstances, options.fresh);
     if (!book) return tl::unexpected(book.error());
     ProgressBar bar(options.quiet);
     const auto instructions = instructionsOfAll(options, *features);

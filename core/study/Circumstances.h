@@ -13,12 +13,19 @@ struct Circumstances {
     std::string command;    ///< that makes the report again
     std::string processor;  ///< its name
     double calibration = 0; ///< calibrationSeconds() of the same minute [s]
+    int cores = 0;          ///< that the machine has
+    double load = 0;        ///< mean number of busy threads in the minute before
 };
+
+/// Mean number of busy threads on this machine in the last minute; 0 where the system does not tell.
+[[nodiscard]] double machineLoad();
 
 /// What every record of a study says of its making.
 inline void note(Json& record, const char* schema, const Circumstances& circumstances) {
     Json machine;
-    machine.set("processor", circumstances.processor).set("calibrationSeconds", circumstances.calibration);
+    machine.set("processor", circumstances.processor).set("cores", circumstances.cores);
+    machine.set("calibrationSeconds", circumstances.calibration);
+    machine.set("loadBefore", circumstances.load).set("loadAfter", machineLoad());
     record.set("schema", schema).set("program", circumstances.program).set("machine", std::move(machine));
 }
 

@@ -2,22 +2,14 @@
 #pragma once
 
 #include "core/base/Progress.h"
-#include "core/dynamics/Method.h"
-#include "core/simulation/Sew.h"
-#include "core/study/Quantities.h"
+#include "core/study/GarmentDrape.h"
 #include "core/study/Repetitions.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace toile::study {
-
-/// A mesh and a method by which a garment is draped.
-struct GarmentSetup {
-    bool regions = true;                                             ///< finer where the document asks for it
-    double factor = 1;                                               ///< of every spacing that is drawn [–]
-    std::optional<dynamics::Method> method = dynamics::Method::xpbd; ///< absent: straight to the equilibrium
-};
 
 struct GarmentPlan {
     std::vector<GarmentSetup> setups; ///< coarse ones first
@@ -43,20 +35,17 @@ struct GarmentReference {
     double band = 0; ///< largest score of a reference run against the others: nothing below is told apart [–]
 };
 
-/// A drape by one setup, as it came to rest or finished by statics.
+/// A drape by one setup, as it came to rest or finished by statics, compared with the reference.
 struct GarmentRun {
     GarmentSetup setup;
     bool finished = false;
     double spacing = 0; ///< main [m]
-    std::string status; ///< why it does not count; empty = it does
-    std::vector<Quantity> quantities;
+    GarmentDrape drape;
     std::vector<std::optional<double>> errors; ///< of each quantity against the reference
     double score = 0;                          ///< rms of the errors over their floors [–]
     double lengthError = 0;                    ///< largest of those lengths, each at least its floor [m]
     RunTime time;                              ///< CPU, from the pattern to the drape
     int repetitions = 0;
-    double largestFrequency = 0; ///< [rad/s]
-    simulation::SewReport report;
 };
 
 struct NotRunSetup {
@@ -72,11 +61,15 @@ struct GarmentAccuracy {
     std::vector<NotRunSetup> notRun;
 };
 
-/// Sews and drapes the garment in all ways of the plan. Errors: what meshing and sewing refuse, a reference that does
-/// not come to rest, cancelled.
+/// Gives the go that is kept by this key, or runs it now and keeps it. The key tells "scene" (name, mesh, which
+/// reference or repetition) and "method", not what the garment looks like.
+using GoKeeper = std::function<Result<GarmentGo>(const Json& key, const std::function<Result<GarmentGo>()>& run)>;
+
+/// Sews and drapes the garment in all ways of the plan; without a keeper all is run. Errors: what meshing and sewing
+/// refuse, a reference that does not come to rest, cancelled, what the keeper cannot write.
 [[nodiscard]] Result<GarmentAccuracy> studyGarment(const std::string& name, const simulation::Scene& scene,
                                                    const GarmentPlan& plan, std::stop_token stop = {},
-                                                   const Progress& progress = {});
+                                                   const Progress& progress = {}, const GoKeeper& keeper = {});
 
 /// Mean and floors of perturbed runs, and how far these lie from each other.
 [[nodiscard]] GarmentReference referenceOf(const std::vector<std::vector<Quantity>>& runs);

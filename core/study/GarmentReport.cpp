@@ -15,17 +15,9 @@ namespace {
 
 using dynamics::Method;
 
-std::string_view methodOf(const GarmentSetup& setup) {
-    return setup.method ? dynamics::nameOf(*setup.method) : "static";
-}
-
 /// "xpbd", "xpbd, finished", "static".
 std::string wayOf(const GarmentRun& run) {
     return fmt::format("{}{}", methodOf(run.setup), run.finished && run.setup.method ? ", finished" : "");
-}
-
-std::string layoutOf(const GarmentSetup& setup) {
-    return setup.regions ? "as drawn" : "uniform";
 }
 
 /// "xpbd, finished at 28 mm as drawn"
@@ -34,7 +26,7 @@ std::string nameOf(const GarmentRun& run) {
 }
 
 bool counts(const GarmentRun& run) {
-    return run.status.empty();
+    return run.drape.status.empty();
 }
 
 std::vector<const GarmentRun*> countedRuns(const GarmentAccuracy& study) {
@@ -69,7 +61,7 @@ std::string judged(const char* who, const GarmentRun* run, const GarmentAccuracy
     if (!run) return fmt::format("{} was not run to its end, so nothing is said of it. ", who);
     const std::string name = fmt::format("{} ({}{})", who, nameOf(*run),
                                          run->setup.factor > 1 ? ", the finest mesh on which it was run" : "");
-    if (!counts(*run)) return fmt::format("{} does not count ({}). ", name, run->status);
+    if (!counts(*run)) return fmt::format("{} does not count ({}). ", name, run->drape.status);
     const CostError own = claimedOf(*run, study.reference);
     const auto front = frontOf(study);
     if (std::ranges::find(front, run) != front.end())
@@ -110,10 +102,10 @@ void appendRuns(std::string& text, const GarmentAccuracy& study, double calibrat
                    "worst length mm | front | |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const GarmentRun& run : study.runs)
         fmt::format_to(out, "| {} | {} | {:.3g} | {} | {:.1f} | {:.3g} | {:.3g} | {:.2g} | {:.2g} | {} | {} |\n",
-                       wayOf(run), layoutOf(run.setup), 1e3 * run.spacing, run.report.particles,
-                       run.report.simulatedSeconds, run.time.least, run.time.least / calibration, run.score,
+                       wayOf(run), layoutOf(run.setup), 1e3 * run.spacing, run.drape.particles,
+                       run.drape.simulatedSeconds, run.time.least, run.time.least / calibration, run.score,
                        1e3 * run.lengthError, std::ranges::find(front, &run) != front.end() ? "●" : "",
-                       !counts(run)           ? run.status
+                       !counts(run)           ? run.drape.status
                        : run.time.noisy       ? "noisy"
                        : run.repetitions == 1 ? "timed once"
                                               : "");
@@ -147,72 +139,11 @@ void appendErrors(std::string& text, const GarmentAccuracy& study) {
                 continue;
             }
             const bool beyond = std::abs(*run.errors[q]) > study.reference.floor[q];
-            const std::string value = number(run.quantities[q], *run.errors[q]);
+            const std::string value = number(run.drape.quantities[q], *run.errors[q]);
             text += beyond ? " **" + value + "** |" : " " + value + " |";
         }
         text += '\n';
     }
-}
-
-Json sceneJson(const GarmentAccuracy& study, const GarmentRun& run) {
-    const simulation::SewReport& report = run.report;
-    Json scene, springs;
-    springs.set("structural", report.springsStructural).set("shear", report.springsShear);
-    springs.set("flexion", report.flexion).set("bending", report.bending).set("twist", report.twist);
-    scene.set("name", study.name).set("hash", report.resultHash).set("layout", layoutOf(run.setup));
-    scene.set("spacing", run.spacing).set("particles", report.particles).set("springs", springs);
-    return scene.set("largestFrequency", run.largestFrequency);
-}
-
-Json methodJson(const GarmentRun& run) {
-    Json method;
-    method.set("integrator", std::string(methodOf(run.setup))).set("finished", run.finished);
-    return method.set("steps", run.report.steps).set("substeps", run.report.substeps).set("threads", 1);
-}
-
-Json referenceJson(const GarmentReference& reference) {
-    Json json, floors;
-    for (std::size_t q = 0; q < reference.mean.size(); ++q)
-        if (reference.mean[q].value) floors.set(std::string(reference.mean[q].key), reference.floor[q]);
-    json.set("method", "xpbd, finished").set("layout", "uniform").set("spacing", reference.spacing);
-    json.set("particles", reference.particles).set("runs", reference.runs).set("selfError", reference.band);
-    return json.set("floors", floors);
-}
-
-Json resultJson(const GarmentRun& run) {
-    Json result, quantities, errors, absent;
-    for (std::size_t q = 0; q < run.quantities.size(); ++q) {
-        const Quantity& quantity = run.quantities[q];
-        const std::string key(quantity.key);
-        quantities.set(key, quantity.value ? Json(*quantity.value) : Json());
-        if (!quantity.value) absent.set(key, quantity.whyAbsent);
-        if (run.errors[q]) errors.set(key, *run.errors[q]);
-    }
-    result.set("normalisedError", run.score).set("lengthError", run.lengthError).set("quantities", quantities);
-    if (!run.quantities.empty()) result.set("errors", errors).set("absent", absent);
-    result.set("strainRms", run.report.strain.rms).set("intersections", run.report.contact.bodyIntersections);
-    return result.set("penetration", run.report.contact.bodyPenetrationMaximum);
-}
-
-Json costJson(const GarmentRun& run) {
-    Json cost;
-    cost.set("cpuSecondsMinimum", run.time.least).set("cpuSecondsMedian", run.time.median);
-    cost.set("repetitions", run.repetitions).set("wallSeconds", run.report.wallSeconds);
-    dynamics::StepReport steps{.parts = 0};
-    for (const simulation::PhaseRun& phase : run.report.phases) steps += phase.steps;
-    cost.set("parts", steps.parts).set("newtonIterations", steps.newtonIterations).set("solves", steps.factorizations);
-    cost.set("cgIterations", steps.gradientIterations).set("rejectedSteps", steps.repeated);
-    return cost.set("simulatedSeconds", run.report.simulatedSeconds).set("peakBytes", run.report.peakBytes);
-}
-
-Json leftOutJson(const GarmentRun& run) {
-    Json all{Json::Array{}};
-    for (const auto& leftOut : run.report.leftOut) {
-        Json one;
-        one.set("name", leftOut.stage).set("reason", leftOut.why);
-        all.push(one);
-    }
-    return all;
 }
 
 } // namespace
@@ -296,29 +227,6 @@ std::string garmentText(const GarmentAccuracy& study, const std::optional<double
     text += "\nErrors against the reference; bold: beyond the floor.\n";
     appendErrors(text, study);
     return text;
-}
-
-std::vector<Json> recordsOf(const GarmentAccuracy& study, const Circumstances& circumstances) {
-    std::vector<Json> records;
-    for (const GarmentRun& run : study.runs) {
-        Json record;
-        note(record, "toile-study-garment-1", circumstances);
-        record.set("scene", sceneJson(study, run)).set("method", methodJson(run));
-        record.set("reference", referenceJson(study.reference)).set("result", resultJson(run));
-        record.set("cost", costJson(run)).set("leftOut", leftOutJson(run));
-        record.set("status", counts(run) ? "done" : run.status);
-        records.push_back(std::move(record));
-    }
-    for (const NotRunSetup& setup : study.notRun) {
-        Json record, scene, method;
-        note(record, "toile-study-garment-1", circumstances);
-        scene.set("name", study.name).set("layout", layoutOf(setup.setup));
-        scene.set("spacing", setup.setup.factor * study.mainSpacing);
-        method.set("integrator", std::string(methodOf(setup.setup)));
-        record.set("scene", scene).set("method", method).set("status", setup.why);
-        records.push_back(std::move(record));
-    }
-    return records;
 }
 
 std::string gnuplotScript(const GarmentAccuracy& study, const std::string& file) {

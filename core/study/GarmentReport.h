@@ -24,8 +24,6 @@ namespace toile::study {
 /// Tables, verdict and, if that is asked, the suggestion, in Markdown.
 [[nodiscard]] std::string garmentText(const GarmentAccuracy& study, const std::optional<double>& within,
                                       const Circumstances& circumstances);
-/// One record a run.
-[[nodiscard]] std::vector<Json> recordsOf(const GarmentAccuracy& study, const Circumstances& circumstances);
 [[nodiscard]] std::string gnuplotScript(const GarmentAccuracy& study, const std::string& file);
 
 } // namespace toile::study

@@ -271,13 +271,16 @@ std::vector<Quantity> quantitiesOf(const WornDrape& worn) {
          {worn.strain.warpPercentile95, worn.strain.weftPercentile95, worn.strain.shearPercentile95})
         found.push_back(strain);
     expects(found.size() == descriptions.size(), "a finding for each quantity");
+    std::vector<Quantity> quantities = noQuantities();
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (found[i]) quantities[i].value = *found[i];
+        else quantities[i].whyAbsent = found[i].error();
+    return quantities;
+}
+
+std::vector<Quantity> noQuantities() {
     std::vector<Quantity> quantities;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        const auto& [name, key, measure] = descriptions[i];
-        quantities.push_back({name, key, measure, std::nullopt, ""});
-        if (found[i]) quantities.back().value = *found[i];
-        else quantities.back().whyAbsent = found[i].error();
-    }
+    for (const auto& [name, key, measure] : descriptions) quantities.push_back({name, key, measure, std::nullopt, ""});
     return quantities;
 }
 

@@ -45,6 +45,8 @@ struct WornDrape {
 /// does not exceed; area that lies on the body.
 [[nodiscard]] std::vector<Quantity> quantitiesOf(const WornDrape& worn);
 [[nodiscard]] std::vector<Quantity> quantitiesOf(const simulation::Simulation& simulation);
+/// The same without values.
+[[nodiscard]] std::vector<Quantity> noQuantities();
 
 /// Valleys of a closed line, seen from above, that are deeper than 5 mm under a tape drawn taut round it.
 [[nodiscard]] int foldsOf(const std::vector<Vec3>& line);

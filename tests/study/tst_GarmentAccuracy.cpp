@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/GarmentRecords.h"
 #include "core/study/GarmentReport.h"
 #include "samples/SmallScenes.h"
 
@@ -18,7 +19,8 @@ std::vector<Quantity> measured(double hem, double folds) {
 }
 
 GarmentRun runAt(std::optional<Method> method, bool finished, double seconds, double hem) {
-    GarmentRun run{.setup = {.method = method}, .finished = finished, .spacing = 0.02, .quantities = measured(hem, 5)};
+    GarmentRun run{
+        .setup = {.method = method}, .finished = finished, .spacing = 0.02, .drape = {.quantities = measured(hem, 5)}};
     run.time = {seconds, seconds, false};
     run.repetitions = 2;
     return run;
@@ -56,6 +58,7 @@ private slots:
     void theQuickPlanRunsTheAccurateMethodOnce();
     void aSheetIsStudiedFromEndToEnd();
     void whatTakesTooLongIsGivenUpAndSaid();
+    void aStudyGoesOnWithTheDrapesThatWereKept();
 };
 
 void tst_GarmentAccuracy::theFloorHoldsNineteenOfTwentyRuns() {
@@ -97,10 +100,10 @@ void tst_GarmentAccuracy::errorsAreCountedInFloors() {
 
 void tst_GarmentAccuracy::aRunThatLacksAQuantityDoesNotCount() {
     GarmentRun run = runAt(Method::xpbd, false, 1, 1);
-    run.quantities[0].value.reset();
-    run.quantities[0].whyAbsent = "It is open.";
+    run.drape.quantities[0].value.reset();
+    run.drape.quantities[0].whyAbsent = "It is open.";
     const auto study = studyOf({run});
-    QCOMPARE(study.runs[0].status, std::string("no hem"));
+    QCOMPARE(study.runs[0].drape.status, std::string("no hem"));
     QVERIFY(frontOf(study).empty());
 }
 
@@ -157,7 +160,7 @@ void tst_GarmentAccuracy::aSheetIsStudiedFromEndToEnd() {
     QVERIFY2(study, study ? "" : study.error().text.c_str());
     QCOMPARE(static_cast<int>(study->runs.size()), 4); // at rest and finished
     for (const GarmentRun& run : study->runs) {
-        QCOMPARE(run.status, std::string());
+        QCOMPARE(run.drape.status, std::string());
         QCOMPARE(run.repetitions, 2);
         QVERIFY(run.time.least > 0);
     }
@@ -189,6 +192,46 @@ void tst_GarmentAccuracy::whatTakesTooLongIsGivenUpAndSaid() {
     QCOMPARE(study->notRun[0].why, std::string("it was given up after 1e-09 s of CPU time"));
     QCOMPARE(study->notRun[1].why, std::string("it was given up on a coarser mesh already"));
     QVERIFY(says(garmentText(*study, {}, here), "it was given up on a coarser mesh already"));
+}
+
+void tst_GarmentAccuracy::aStudyGoesOnWithTheDrapesThatWereKept() {
+    const auto document = samples::squareSheet(samples::SheetPins::twoCorners, 0.4, 0.05);
+    simulation::Scene scene{document.pattern, {}, document.scene};
+    scene.settings.damping = 5;
+    study::GarmentPlan plan{.setups = {{true, 1, Method::xpbd}, {true, 1, std::nullopt}}};
+    plan.referenceRuns = 2;
+    std::vector<std::pair<Json, std::string>> kept; // as lines of a file
+    int made = 0;
+    const study::GoKeeper keeper = [&](const Json& key, const auto& run) -> Result<study::GarmentGo> {
+        for (const auto& [known, line] : kept)
+            if (known == key) return *study::goFrom(*parseJson(line));
+        auto go = run();
+        ++made;
+        if (go) kept.emplace_back(key, toLine(toJson(*go)));
+        return go;
+    };
+    const auto text = [&](const study::GarmentAccuracy& study) {
+        std::string lines;
+        for (const Json& record : recordsOf(study, here))
+            for (const char* member : {"scene", "result", "cost"}) lines += toLine(*record.find(member)) + "\n";
+        return garmentText(study, {}, here) + lines;
+    };
+    const auto first = study::studyGarment("sheet", scene, plan, {}, {}, keeper);
+    QVERIFY(first);
+    QCOMPARE(made, 2 + 2 * 2);
+    kept.pop_back(); // stopped before the last
+    const auto again = study::studyGarment("sheet", scene, plan, {}, {}, keeper);
+    QVERIFY(again);
+    QCOMPARE(made, 7);
+    // The last one's time is measured anew; all else is the same to the last digit.
+    QCOMPARE(again->runs[1].score, first->runs[1].score);
+    kept.back().second = toLine(toJson(study::GarmentGo{.failure = "it was given up"}));
+    const auto third = study::studyGarment("sheet", scene, plan, {}, {}, keeper);
+    const auto fourth = study::studyGarment("sheet", scene, plan, {}, {}, keeper);
+    QVERIFY(third && fourth);
+    QCOMPARE(made, 7);
+    QCOMPARE(text(*third), text(*fourth));
+    QVERIFY(!study::goFrom(Json("no go")));
 }
 
 QTEST_APPLESS_MAIN(tst_GarmentAccuracy)
