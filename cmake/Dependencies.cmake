@@ -20,9 +20,10 @@ add_library(dep_cholmod INTERFACE)
 target_include_directories(dep_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
 target_link_libraries(dep_cholmod INTERFACE ${CHOLMOD_LIBRARY} BLAS::BLAS)
 
-# Clipper 1 comes with a pkg-config file only.
+# Clipper 1 and MD4C's renderer come with a pkg-config file only.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)
+pkg_check_modules(md4c-html REQUIRED IMPORTED_TARGET md4c-html)
 
 if(TOILE_UI)
     find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg)

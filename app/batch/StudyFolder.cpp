@@ -2,6 +2,7 @@
 #include "app/batch/StudyFolder.h"
 
 #include "app/batch/BuildFacts.h"
+#include "app/batch/HtmlReport.h"
 #include "app/batch/OtherProgram.h"
 #include "core/base/AtomicFile.h"
 #include "core/study/Calibration.h"
@@ -46,6 +47,7 @@ Result<void> writeReport(const fs::path& folder, const std::string& text, const 
     std::string lines;
     for (const Json& record : records) lines += toLine(record) + '\n';
     if (auto written = writeFileAtomically(folder / "results.jsonl", lines); !written) return written;
+    if (auto written = writeFileAtomically(folder / "report.html", htmlReport(text)); !written) return written;
     return writeFileAtomically(folder / "report.md", text);
 }
 

@@ -16,7 +16,7 @@ namespace toile::batch {
 /// This build and this machine; takes a moment, to calibrate its time.
 [[nodiscard]] study::Circumstances circumstancesOf(std::string command);
 
-/// report.md, and results.jsonl with a record a line.
+/// report.md, the same for the browser as report.html, and results.jsonl with a record a line.
 [[nodiscard]] Result<void> writeReport(const std::filesystem::path& folder, const std::string& text,
                                        const std::vector<Json>& records);
 

@@ -37,6 +37,12 @@ void tst_StudyCommand::aStudyLeavesItsReport() {
     for (const QByteArray& line : lines.first(40)) QVERIFY(jsonOf(line).find("result"));
     QVERIFY(!contentOf(out + "/oscillator.gp").isEmpty());
     QCOMPARE(contentOf(out + "/oscillator.svg").isEmpty(), finished.out.contains("without pictures"));
+    const QString page = QString::fromUtf8(contentOf(out + "/report.html"));
+    QVERIFY(page.startsWith("<!DOCTYPE html>"));
+    QVERIFY(page.contains("<title>Error against run time</title>"));
+    QVERIFY(page.contains("<h2>oscillator</h2>"));
+    QVERIFY(page.contains("<img src=\"oscillator.svg\""));
+    QCOMPARE(page.count("<tr>"), report.count("\n|") - page.count("<table>")); // all but the lines below the headings
 }
 
 void tst_StudyCommand::aSceneThatIsNotThereIsSaid() {
