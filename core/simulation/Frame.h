@@ -27,6 +27,14 @@ struct FrameTopology {
     std::vector<std::array<int, 2>> meshLines;          ///< edges of the scan-line mesh, for wireframes
 };
 
+/// What statics does with a garment that came to rest (Runner::finishAtRest).
+enum class Finish {
+    none,
+    underWay,
+    found,    ///< the garment lies in its equilibrium
+    notFound, ///< it lies as near to it as statics came
+};
+
 /// A picture of the running simulation: a value for other threads.
 struct Frame {
     std::uint64_t generation = 0; ///< of the scene it belongs to
@@ -38,7 +46,9 @@ struct Frame {
     double largestSeamGap = 0; ///< over seams not merged yet [m]
     double largestSpeed = 0;   ///< [m/s]
     bool atRest = false;
-    std::string message; ///< what the user should know, e.g. why it stopped
+    Finish finish = Finish::none;
+    double finishMove = 0; ///< how far statics moved any vertex [m]
+    std::string message;   ///< what the user should know, e.g. why it stopped
 };
 
 } // namespace toile::simulation

@@ -4,7 +4,10 @@
 #include "core/base/Mailbox.h"
 #include "core/simulation/Simulation.h"
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <mutex>
 #include <thread>
 
 namespace toile::simulation {
@@ -17,6 +20,18 @@ struct Order {
 
 /// Told to play, a garment at rest goes on at least this long before it rests again: it may creep [s].
 constexpr double atLeast = 0.5;
+
+/// How often statics is tried where it does not come to its end: a fold still snaps through, and time goes on between.
+constexpr int finishAttempts = 4;
+
+/// The way to the equilibrium is shown in pictures, so slowly that nothing jumps [m/s], but for no longer than [s].
+constexpr double glideSpeed = 0.03, longestGlide = 0.5;
+constexpr std::chrono::milliseconds glideFrame{16};
+
+/// The way of a vertex from rest to equilibrium: begins and ends slowly.
+double eased(double share) {
+    return share * share * (3 - 2 * share);
+}
 
 } // namespace
 
@@ -46,6 +61,10 @@ public:
         ++steps_;
         wake();
     }
+    void finishAtRest(bool wanted) {
+        finishWanted_ = wanted;
+        wake();
+    }
     void hold(std::vector<Grip> grips) {
         grips_.put(std::move(grips));
         wake();
@@ -73,6 +92,8 @@ private:
     void wake() {
         ++signal_;
         signal_.notify_one();
+        const std::lock_guard lock(finishing_);
+        stopFinish_.request_stop();
     }
 
     // -- shared
@@ -84,9 +105,12 @@ private:
     std::atomic<bool> playing_{false}, reset_{false};
     std::atomic<bool> asked_{false};  ///< for a checkpoint
     std::atomic<bool> pushed_{false}; ///< play was ordered and not seen yet
+    std::atomic<bool> finishWanted_{false};
     std::atomic<int> steps_{0};
     std::atomic<std::uint64_t> signal_{1};    ///< counts orders
     std::atomic<std::uint64_t> idleSince_{0}; ///< the order after which there was nothing left to do
+    std::mutex finishing_;                    ///< held for a moment, to look at the next
+    std::stop_source stopFinish_;             ///< of the statics under way
 
     // -- the worker's
     void run(std::stop_token stop) {
@@ -105,6 +129,8 @@ private:
                 advance(stop);
             } else if (mayPlay && playing_ && stands() && !rests()) {
                 advance(stop);
+            } else if (mayPlay && playing_ && mayFinish()) {
+                finish(seen);
             } else {
                 idleSince_ = seen;
                 signal_.wait(seen); // returns at once when something was ordered meanwhile
@@ -120,6 +146,7 @@ private:
     void accept(Order order) {
         scene_ = std::move(order.scene);
         generation_ = order.generation;
+        attempts_ = 0;
         adopt(simulation_ && simulation_->steps() > 0 ? Simulation::continued(scene_, *simulation_)
                                                       : Simulation::create(scene_));
     }
@@ -128,6 +155,7 @@ private:
     void take(std::vector<Grip> grips) {
         if (!stands()) return;
         simulation_->hold(std::move(grips));
+        attempts_ = 0;
         playUntil_ = simulation_->state().time + atLeast;
     }
 
@@ -152,20 +180,73 @@ private:
         broken_ = !made;
         if (broken_) return stopWith(toString(made.error()));
         simulation_.emplace(std::move(*made));
+        finish_ = Finish::none;
         publish({});
     }
 
     void advance(std::stop_token stop) {
         if (!stands()) return;
         const auto advanced = simulation_->advance(stop);
+        finish_ = Finish::none;
         if (advanced) publish({});
         else stopWith(toString(advanced.error()));
+    }
+
+    /// The paper has no statics.
+    [[nodiscard]] bool mayFinish() const {
+        return finishWanted_ && stands() && resting_ && finish_ == Finish::none && !scene_.paper;
+    }
+
+    /// The garment at rest goes on to its equilibrium, unless something is ordered after `seen`.
+    void finish(std::uint64_t seen) {
+        const std::stop_token stop = freshStop();
+        if (signal_ != seen) return;
+        finish_ = Finish::underWay;
+        publish({});
+        const Frame rested = simulation_->frame();
+        const auto settled = simulation_->settle({}, stop);
+        finish_ = Finish::none;
+        if (!settled && settled.error().code == ErrorCode::cancelled) return publish({});
+        const bool found = settled && settled->newton.converged;
+        finishMove_ = settled ? settled->displacementMaximum : 0;
+        glideFrom(rested, stop);
+        if (!found && ++attempts_ < finishAttempts) {
+            playUntil_ = simulation_->state().time + atLeast;
+            return;
+        }
+        attempts_ = 0;
+        finish_ = found ? Finish::found : Finish::notFound;
+        publish({});
+    }
+
+    [[nodiscard]] std::stop_token freshStop() {
+        const std::lock_guard lock(finishing_);
+        stopFinish_ = {};
+        return stopFinish_.get_token();
+    }
+
+    /// Pictures between where the garment rested and where it lies now.
+    void glideFrom(const Frame& rested, std::stop_token stop) {
+        const double duration = std::min(finishMove_ / glideSpeed, longestGlide);
+        const auto frames = static_cast<int>(duration / std::chrono::duration<double>(glideFrame).count());
+        const std::vector<Vec3> settled = simulation_->nodePositions();
+        for (int i = 1; i < frames && !stop.stop_requested(); ++i) {
+            Frame between = rested;
+            between.generation = generation_;
+            between.finish = Finish::underWay;
+            for (std::size_t v = 0; v < settled.size(); ++v)
+                between.positions[v] = lerp(rested.positions[v], settled[v], eased(static_cast<double>(i) / frames));
+            frames_.put(std::move(between));
+            std::this_thread::sleep_for(glideFrame);
+        }
     }
 
     void publish(std::string message) {
         Frame frame = stands() ? simulation_->frame() : Frame{};
         frame.generation = generation_;
         frame.message = std::move(message);
+        frame.finish = finish_;
+        frame.finishMove = finishMove_;
         resting_ = frame.atRest;
         frames_.put(std::move(frame));
     }
@@ -181,6 +262,9 @@ private:
     bool broken_ = false;  ///< the scene could not be built; simulation_ is of one before it
     bool resting_ = false; ///< the frame published last is at rest
     double playUntil_ = 0; ///< at rest or not [s]
+    Finish finish_ = Finish::none;
+    double finishMove_ = 0; ///< of the finish before [m]
+    int attempts_ = 0;      ///< of statics, since something was changed or held
 
     std::jthread thread_; // last: starts when all else stands, ends before all else goes
 };
@@ -202,6 +286,9 @@ void Runner::step() {
 }
 void Runner::reset() {
     worker_->requestReset();
+}
+void Runner::finishAtRest(bool wanted) {
+    worker_->finishAtRest(wanted);
 }
 void Runner::hold(std::vector<Grip> grips) {
     worker_->hold(std::move(grips));

@@ -28,6 +28,9 @@ public:
     void pause();
     void step();  ///< one frame step, then paused
     void reset(); ///< back to the placement, paused; nothing is held any more
+    /// From now on a garment that comes to rest while it plays goes on to its equilibrium by statics, on the same
+    /// thread; frames show the way there. Every order stops it, and the garment lies where it rested. At first: no.
+    void finishAtRest(bool wanted);
     /// What hands hold from now on. While the cloth plays it follows them, also if it was at rest.
     void hold(std::vector<Grip> grips);
     /// Asks where the simulation stands; takeCheckpoint() has it when the frame step under way is done.

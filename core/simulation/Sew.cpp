@@ -227,9 +227,12 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     result.ending = std::move(*ending);
     if (const auto held = hold(result, simulation, settings, watch); !held) return tl::unexpected(held.error());
 
-    if (settings.finish && !settings.seconds)
+    if (settings.finish && !settings.seconds) {
+        const double finishStart = processSeconds();
         if (const auto finished = finish(result, simulation, settings, watch); !finished)
             return tl::unexpected(finished.error());
+        if (result.finishDisplacementMaximum) result.finishSeconds = processSeconds() - finishStart;
+    }
     countElements(result, simulation.garment().model);
     result.paper = simulation.garment().paper;
     for (std::size_t seam = 0; seam < simulation.seams().size(); ++seam)

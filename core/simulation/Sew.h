@@ -57,6 +57,7 @@ struct SewReport {
     int clampedCells = 0;
     std::optional<cloth::PaperReport> paper;         ///< in a scene of the paper
     std::optional<double> finishDisplacementMaximum; ///< [m]
+    std::optional<double> finishSeconds;             ///< CPU time of the finish, with what was simulated between [s]
     StrainSummary strain;
     CurvatureSummary curvature;
     double simulatedSeconds = 0, cpuSeconds = 0, wallSeconds = 0;

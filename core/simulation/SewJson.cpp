@@ -101,6 +101,7 @@ Json toJson(const SewReport& report) {
     json.set("contact", toJson(report.contact));
     json.set("mass", report.mass).set("clampedCells", report.clampedCells).set("paper", toJson(report.paper));
     json.set("finishDisplacementMaximum", numberOrNull(report.finishDisplacementMaximum));
+    json.set("finishSeconds", numberOrNull(report.finishSeconds));
     Json strain;
     strain.set("warpMaximum", report.strain.warpMaximum).set("weftMaximum", report.strain.weftMaximum);
     strain.set("warpPercentile99", report.strain.warpPercentile99)

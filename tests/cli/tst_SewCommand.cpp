@@ -93,13 +93,13 @@ void tst_SewCommand::theReportHasTheKeysThatArePromised() {
         run({"sew", sample("tube.toile"), "--spacing", "40", "--seconds", "1", "--report", in("sew.json")}).status >=
         0);
     const Json json = report();
-    QCOMPARE(missingKeys(json, {"document",  "avatar",           "method",       "step",
-                                "threads",   "particles",        "springs",      "seams",
-                                "worn",      "contact",          "clampedCells", "finishDisplacementMaximum",
-                                "strain",    "simulatedSeconds", "cpuSeconds",   "wallSeconds",
-                                "steps",     "atRest",           "residual",     "energy",
-                                "peakBytes", "resultHash",       "stages",       "leftOut",
-                                "warnings"}),
+    QCOMPARE(missingKeys(json, {"document",      "avatar",    "method",           "step",
+                                "threads",       "particles", "springs",          "seams",
+                                "worn",          "contact",   "clampedCells",     "finishDisplacementMaximum",
+                                "finishSeconds", "strain",    "simulatedSeconds", "cpuSeconds",
+                                "wallSeconds",   "steps",     "atRest",           "residual",
+                                "energy",        "peakBytes", "resultHash",       "stages",
+                                "leftOut",       "warnings"}),
              QString());
     QCOMPARE(missingKeys(*json.find("springs"), {"structural", "shear", "bending", "twist"}), QString());
     for (const Json& seam : *json.find("seams")->asArray())
@@ -130,6 +130,7 @@ void tst_SewCommand::whatIsNotThereIsNull() {
     QVERIFY(json.find("contact")->find("bodyClearanceMinimum")->isNull());
     QVERIFY(json.find("residual")->isNull()); // a run of so many seconds has no finish
     QVERIFY(json.find("finishDisplacementMaximum")->isNull());
+    QVERIFY(json.find("finishSeconds")->isNull());
     QVERIFY(!contentOf(in("sew.json")).contains("nan"));
 }
 

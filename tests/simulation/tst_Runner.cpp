@@ -9,6 +9,8 @@
 using namespace toile;
 using namespace toile::simulation;
 
+Q_DECLARE_METATYPE(std::function<void(toile::simulation::Runner&)>)
+
 /// The simulation's thread. Run under the thread sanitizer, too.
 class tst_Runner : public QObject {
     Q_OBJECT
@@ -23,6 +25,10 @@ private slots:
     void aGarmentGoesOnAfterASceneThatCannotBeBuilt();
     void aGarmentAtRestSleepsUntilSomethingChanges();
     void aHandWakesAGarmentAtRest();
+    void aGarmentAtRestIsFinishedByStatics();
+    void theWayToTheEquilibriumHasNoJumps();
+    void everyOrderStopsStatics_data();
+    void everyOrderStopsStatics();
     void aCheckpointIsGoneOnFromByAnotherRunner();
     void aCheckpointOfAnotherSceneIsRefused();
     void fiveHundredEditsWhileItSews();
@@ -178,6 +184,82 @@ void tst_Runner::aHandWakesAGarmentAtRest() {
     QVERIFY(waitForFrame(runner, [](const Frame& f) {
         return std::ranges::any_of(f.positions, [](const Vec3& p) { return p.z > 0.08; });
     }));
+}
+
+void tst_Runner::aGarmentAtRestIsFinishedByStatics() {
+    Runner runner;
+    runner.finishAtRest(true);
+    runner.setScene(twoSquares(0.05), 1);
+    runner.play();
+    const auto finished = waitForFrame(runner, [](const Frame& f) { return f.finish == Finish::found; });
+    QVERIFY(finished && finished->atRest);
+    QVERIFY(finished->finishMove > 0);
+    QVERIFY(QTest::qWaitFor([&] { return !runner.isBusy(); }, 60000));
+    QVERIFY(runner.isPlaying());
+    QVERIFY(!runner.takeFrame()); // once, not again and again
+
+    runner.hold({{.piece = "left", .material = {0.1, 0.1}, .target = {-0.1, 1.2, 0.1}}});
+    QVERIFY(waitForFrame(runner, [](const Frame& f) { return f.finish == Finish::none && !f.atRest; }));
+    runner.finishAtRest(false);
+    runner.hold({});
+    QVERIFY(QTest::qWaitFor([&] { return !runner.isBusy(); }, 60000));
+    const auto resting = runner.takeFrame();
+    QVERIFY(resting && resting->atRest && resting->finish == Finish::none);
+}
+
+void tst_Runner::theWayToTheEquilibriumHasNoJumps() {
+    Runner runner;
+    runner.finishAtRest(true);
+    Scene scene;
+    scene.settings.gravity.y *= 5; // millimetres of what few substeps leave soft
+    scene.settings.damping = 2;
+    scene.pattern.fabrics.push_back(plainCloth());
+    pattern::Piece sheet = polygonPiece("sheet", {{0, 0}, {0.1, 0}, {0.1, 0.5}, {0, 0.5}}, 0.01);
+    sheet.placement = pattern::Placement{};
+    sheet.placement->transform.origin = {0, 1, 0};
+    scene.pattern.pieces.push_back(std::move(sheet));
+    for (const char* corner : {"v2", "v3"})
+        scene.pattern.pins.push_back({pattern::PinId(corner), pattern::PieceId("sheet"), pattern::VertexId(corner)});
+    runner.setScene(scene, 1);
+    runner.play();
+    std::vector<Vec3> last;
+    double whole = 0, most = 0;
+    (void)waitForFrame(runner, [&](const Frame& f) {
+        if (f.finish != Finish::none && !last.empty())
+            for (std::size_t v = 0; v < last.size(); ++v)
+                most = std::max(most, geometry::distance(last[v], f.positions[v]));
+        last = f.positions;
+        whole = f.finishMove;
+        return f.finish == Finish::found;
+    });
+    QVERIFY2(whole > 2e-3, qPrintable(QString::number(1000 * whole)));
+    QVERIFY2(most < 0.7 * whole, qPrintable(QString::number(most / whole))); // pictures may be missed, not all of them
+}
+
+void tst_Runner::everyOrderStopsStatics_data() {
+    QTest::addColumn<std::function<void(Runner&)>>("order");
+    QTest::newRow("pause") << std::function<void(Runner&)>([](Runner& runner) { runner.pause(); });
+    QTest::newRow("a hand") << std::function<void(Runner&)>([](Runner& runner) {
+        runner.hold({{.piece = "left", .material = {0.1, 0.1}, .target = {-0.1, 1.2, 0.1}}});
+    });
+    QTest::newRow("an edit") << std::function<void(Runner&)>(
+        [](Runner& runner) { runner.setScene(twoSquares(0.006), 2); });
+    QTest::newRow("no more of it") << std::function<void(Runner&)>([](Runner& runner) { runner.finishAtRest(false); });
+}
+
+void tst_Runner::everyOrderStopsStatics() {
+    QFETCH(std::function<void(Runner&)>, order);
+    Runner runner;
+    runner.finishAtRest(true);
+    runner.setScene(twoSquares(0.006), 1);
+    runner.play();
+    const auto rested = waitForFrame(runner, [](const Frame& f) { return f.finish == Finish::underWay; });
+    QVERIFY(rested);
+    order(runner);
+    const auto stopped = waitForFrame(runner, [](const Frame& f) { return f.finish == Finish::none; });
+    QVERIFY(stopped);
+    if (stopped->time == rested->time && stopped->generation == rested->generation)
+        QVERIFY(stopped->positions == rested->positions); // where it rested, not on the way
 }
 
 namespace {

@@ -23,6 +23,7 @@ struct FakeSimulation : Simulation {
         std::vector<std::uint64_t> generations;
         std::optional<simulation::Frame> frame;
         bool playing = false, busy = false;
+        bool finishes = false;
         int resets = 0;
         std::vector<simulation::Grip> grips;
         std::optional<simulation::Checkpoint> resumed;
@@ -33,6 +34,7 @@ struct FakeSimulation : Simulation {
     void pause() override { log.playing = false; }
     void step() override {}
     void reset() override { ++log.resets; }
+    void finishAtRest(bool wanted) override { log.finishes = wanted; }
     void hold(std::vector<simulation::Grip> grips) override { log.grips = std::move(grips); }
     void askForCheckpoint() override {}
     std::optional<Result<simulation::Checkpoint>> takeCheckpoint() override { return {}; }
@@ -77,6 +79,7 @@ private Q_SLOTS:
     void anEditMakesANewScene();
     void movingOnTheTableMakesNoNewScene();
     void olderFramesAreDropped();
+    void theEndOfTheFinishIsToldOnce();
     void theGarmentStaysInViewWhileItCannotBeBuilt();
     void framesAreAskedForOnlyWhileSomethingHappens();
     void anotherDocumentBeginsAnew();
@@ -126,6 +129,24 @@ void tst_Workbench::olderFramesAreDropped() {
     fixture.log.frame = frameOf(bench.generation());
     bench.pollFrame();
     QVERIFY(bench.frame());
+}
+
+void tst_Workbench::theEndOfTheFinishIsToldOnce() {
+    Fixture fixture;
+    Workbench workbench(fixture.parts());
+    workbench.finishAtRest(true);
+    QVERIFY(fixture.log.finishes);
+    workbench.startFrom(twoRectangles(), {}, false);
+    QSignalSpy told(&workbench, &Workbench::messageChanged);
+    using simulation::Finish;
+    for (const Finish finish : {Finish::none, Finish::underWay, Finish::underWay, Finish::found, Finish::found}) {
+        fixture.log.frame = frameOf(workbench.generation());
+        fixture.log.frame->finish = finish;
+        fixture.log.frame->finishMove = 0.0062;
+        workbench.pollFrame();
+    }
+    QCOMPARE(told.size(), 1);
+    QVERIFY(told[0][0].toString().contains(QStringLiteral("6.2 mm")));
 }
 
 void tst_Workbench::theGarmentStaysInViewWhileItCannotBeBuilt() {

@@ -108,6 +108,7 @@ void MainWindow::makeActions() {
                                                              {"look3d.seams", render.seams},
                                                              {"look3d.regions", render.regions}})
         actions_[QLatin1String(id)]->setChecked(on);
+    if (QSettings().value(finishAtRestKey, true).toBool()) actions_["simulation.finish"]->trigger();
 }
 
 void MainWindow::makeMenus() {
@@ -138,8 +139,8 @@ void MainWindow::makeMenus() {
                       "look3d.body",  "look3d.meshLines",  "look3d.seams",  "look3d.regions", "-"});
     actions_.fill(*view->addMenu(tr("Mouse in the &3D view")), {"habits.clo", "habits.blender", "habits.maya"});
     menu(tr("&Avatar"), {"avatar.mannequin", "avatar.import", "avatar.remove"});
-    menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset", "-", "simulation.saveCheckpoint",
-                             "simulation.resume"});
+    menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset", "-", "simulation.finish", "-",
+                             "simulation.saveCheckpoint", "simulation.resume"});
     menu(tr("&Help"), {"help.about"});
 }
 

@@ -27,6 +27,9 @@ struct WindowParts {
 /// Of the settings: the id of the chosen action.
 inline const QString cameraHabitsKey = QStringLiteral("cameraHabits");
 
+/// Of the settings: whether a garment at rest is finished by statics.
+inline const QString finishAtRestKey = QStringLiteral("finishAtRest");
+
 /// Puts the parts together; decides nothing. 3D view left, pattern right, objects and properties far right.
 class MainWindow : public QMainWindow {
     Q_OBJECT

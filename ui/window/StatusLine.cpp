@@ -19,6 +19,13 @@ QLabel* field(StatusLine& line, const char* name, int width, const QString& tip)
     return label;
 }
 
+QString stateOf(const simulation::Frame* frame, bool playing) {
+    if (frame && frame->finish == simulation::Finish::underWay) return StatusLine::tr("Finishing…");
+    if (frame && frame->finish == simulation::Finish::found) return StatusLine::tr("In equilibrium");
+    if (frame && frame->atRest) return StatusLine::tr("At rest");
+    return playing ? StatusLine::tr("Running") : StatusLine::tr("Paused");
+}
+
 } // namespace
 
 SimulationTexts textsOf(const simulation::Frame& frame) {
@@ -36,7 +43,7 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     message_->setContentsMargins(8, 0, 0, 0);
     addWidget(message_, 1);
     pointer_ = field(*this, "statusPointer", 130, tr("Pointer on the pattern table"));
-    state_ = field(*this, "statusState", 70, tr("State of the simulation"));
+    state_ = field(*this, "statusState", 96, tr("State of the simulation"));
     time_ = field(*this, "statusTime", 64, tr("Simulated time"));
     rate_ = field(*this, "statusRate", 96, tr("Simulated frames computed a second"));
     particles_ = field(*this, "statusParticles", 100, tr("Particles of the cloth"));
@@ -62,7 +69,7 @@ void StatusLine::showPointer(Vec2 position) {
 void StatusLine::showFrame(const simulation::Frame* frame, bool playing) {
     const SimulationTexts texts = frame ? textsOf(*frame) : SimulationTexts{};
     const bool rests = frame && frame->atRest;
-    state_->setText(rests ? tr("At rest") : playing ? tr("Running") : tr("Paused"));
+    state_->setText(stateOf(frame, playing));
     time_->setText(texts.time);
     rate_->setText(playing && !rests ? texts.rate : QString());
     particles_->setText(texts.particles);

@@ -177,6 +177,17 @@ std::vector<ActionSpec> MainWindow::simulationActions() {
         {"simulation.step", tr("One s&tep"), QKeySequence(tr("Ctrl+.")), "step", false, [this] { workbench_.step(); }},
         {"simulation.reset", tr("&Reset"), QKeySequence(tr("Ctrl+R")), "reset", false, [this] { workbench_.reset(); },
          tr("Back to where the pieces were placed")},
+        {"simulation.finish",
+         tr("&Finish at rest"),
+         {},
+         {},
+         true,
+         [this] {
+             const bool wanted = actions_["simulation.finish"]->isChecked();
+             QSettings().setValue(finishAtRestKey, wanted);
+             workbench_.finishAtRest(wanted);
+         },
+         tr("Find the equilibrium by statics when the cloth has come to rest: lengths are right within less")},
         {"simulation.saveCheckpoint",
          tr("Save &checkpoint…"),
          {},

@@ -16,6 +16,7 @@ public:
     void pause() override { runner_.pause(); }
     void step() override { runner_.step(); }
     void reset() override { runner_.reset(); }
+    void finishAtRest(bool wanted) override { runner_.finishAtRest(wanted); }
     void hold(std::vector<simulation::Grip> grips) override { runner_.hold(std::move(grips)); }
     void askForCheckpoint() override { runner_.askForCheckpoint(); }
     [[nodiscard]] std::optional<Result<simulation::Checkpoint>> takeCheckpoint() override {

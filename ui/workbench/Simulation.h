@@ -21,6 +21,7 @@ public:
     virtual void pause() = 0;
     virtual void step() = 0;
     virtual void reset() = 0;
+    virtual void finishAtRest(bool wanted) = 0;
     virtual void hold(std::vector<simulation::Grip> grips) = 0;
     virtual void askForCheckpoint() = 0;
     [[nodiscard]] virtual std::optional<Result<simulation::Checkpoint>> takeCheckpoint() = 0;

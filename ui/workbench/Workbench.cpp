@@ -2,6 +2,7 @@
 #include "ui/workbench/Workbench.h"
 
 #include "core/document/DocumentEdits.h"
+#include "ui/values/Units.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -202,6 +203,21 @@ void Workbench::reset() {
     follow();
 }
 
+void Workbench::finishAtRest(bool wanted) {
+    if (parts_.simulation) parts_.simulation->finishAtRest(wanted);
+    follow();
+}
+
+/// Once, when statics has come to its end.
+void Workbench::tellOfFinish(const simulation::Frame& frame) {
+    if (frame_ && frame_->finish == frame.finish) return;
+    const QString move = textOf(Quantity::length, frame.finishMove);
+    if (frame.finish == simulation::Finish::found)
+        tell(tr("In equilibrium: statics moved the cloth by %1 at most.").arg(move));
+    if (frame.finish == simulation::Finish::notFound)
+        tell(tr("At rest, but statics found no equilibrium; what came nearest is shown, %1 away at most.").arg(move));
+}
+
 void Workbench::hold(std::vector<simulation::Grip> grips) {
     if (parts_.simulation) parts_.simulation->hold(std::move(grips));
     follow();
@@ -243,6 +259,7 @@ void Workbench::pollFrame() {
     takeCheckpoint();
     if (auto frame = parts_.simulation->takeFrame(); frame && frame->generation == generation_ && scene_) {
         if (!frame->message.empty()) tell(QString::fromStdString(frame->message), true);
+        tellOfFinish(*frame);
         const bool wasBuilt = frame->message.empty(); // else the garment as it was stays in view
         if (!frame->positions.empty()) frame_ = std::move(*frame);
         else if (wasBuilt) frame_.reset();

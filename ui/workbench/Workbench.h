@@ -75,6 +75,8 @@ public:
     void pause();
     void step();
     void reset();
+    /// From now on a garment that comes to rest is finished by statics, or not any more.
+    void finishAtRest(bool wanted);
     /// What hands hold from now on; what plays follows them.
     void hold(std::vector<simulation::Grip> grips);
     /// Writes where the simulation stands, once the frame step under way is done.
@@ -103,6 +105,7 @@ private:
     void loadBody();
     void takeBody(const QString& file, Result<body::Body> body);
     void takeCheckpoint();
+    void tellOfFinish(const simulation::Frame& frame);
     void follow();   ///< what was ordered
     void handOver(); ///< document → mesh preview and simulation
     void record();
