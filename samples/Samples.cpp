@@ -3,6 +3,7 @@
 
 #include "samples/Blouse.h"
 #include "samples/CircleSkirt.h"
+#include "samples/RegionScenes.h"
 #include "samples/SmallScenes.h"
 #include "samples/TShirt.h"
 #include "samples/Table.h"
@@ -36,6 +37,8 @@ Result<std::vector<NamedDocument>> sampleDocuments(const Wearers& wearers) {
         {"tube", tubeRoundCylinder()},
         {"buttoned-band", buttonedBand()},
         {"two-squares", twoSquares()},
+        {"finer-over-rod", finerOverRod()},
+        {"finer-in-slack", finerInSlack()},
     };
     for (NamedDocument& sample : samples) sample.document.pattern = laidOut(sample.document.pattern);
     return samples;
@@ -43,10 +46,9 @@ Result<std::vector<NamedDocument>> sampleDocuments(const Wearers& wearers) {
 
 std::vector<NamedBody> sampleBodies(const Wearers& wearers) {
     return {
-        {"mannequin", wearers.usual.body},
-        {"mannequin-42", wearers.fuller.body},
-        {"table", {"table", tableMesh(), {}, {}}},
-        {"cylinder", {"cylinder", cylinderMesh(), {}, {}}},
+        {"mannequin", wearers.usual.body},         {"mannequin-42", wearers.fuller.body},
+        {"table", {"table", tableMesh(), {}, {}}}, {"cylinder", {"cylinder", cylinderMesh(), {}, {}}},
+        {"rod", {"rod", rodMesh(), {}, {}}},
     };
 }
 

@@ -3,8 +3,10 @@
 #include "app/batch/Console.h"
 #include "app/batch/Opening.h"
 #include "app/batch/StudyFolder.h"
+#include "core/base/AtomicFile.h"
 #include "core/io/DocumentFile.h"
-#include "core/study/Regions.h"
+#include "core/study/MotionCost.h"
+#include "core/study/RegionsReport.h"
 
 #include <fmt/format.h>
 
@@ -35,11 +37,18 @@ int studyRegions(const StudyOptions& options, std::stop_token stop) {
         if (error.place.file.empty()) error.place.file = file;
         return refuse(error);
     }
-    if (auto written = writeReport(options.out, study::regionsText(*study, file, circumstances),
-                                   study::recordsOf(*study, file, circumstances));
+    const auto motion = study::motionCosts(opened->scene, *study, stop, bar.progress());
+    if (!motion) return refuse(motion.error());
+    if (auto written =
+            writeReport(options.out, study::regionsText(*study, file, circumstances) + study::motionText(*motion),
+                        study::recordsOf(*study, file, circumstances));
         !written)
         return refuse(written.error());
-    fmt::print("{}\n{}/report.md\n", study::verdictOn(*study), options.out);
+    const std::filesystem::path script = std::filesystem::path(options.out) / "regions.gp";
+    const std::string name = std::filesystem::path(file).stem().string();
+    if (auto written = writeFileAtomically(script, study::gnuplotScript(*study, name, "regions")); !written)
+        return refuse(written.error());
+    fmt::print("{}\n{}/report.md{}\n", study::verdictOn(*study), options.out, drawn(script) ? "" : withoutPictures);
     return done;
 }
 

@@ -10,6 +10,13 @@
 namespace toile::study {
 namespace {
 
+/// As gnuplot reads it between single quotes.
+std::string quoted(const std::string& text) {
+    std::string doubled;
+    for (const char c : text) doubled += c == '\'' ? "''" : std::string(1, c);
+    return "'" + doubled + "'";
+}
+
 void appendData(std::string& text, const ErrorTimePlot& plot) {
     const auto out = std::back_inserter(text);
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
@@ -29,8 +36,8 @@ void appendCurves(std::string& text, const ErrorTimePlot& plot) {
         const int colour = curve.colour >= 0 ? curve.colour : i;
         fmt::format_to(out,
                        "  $curve{} using 1:2 with linespoints linetype {} pointtype {} dashtype {} linewidth 1.5 "
-                       "title '{}', \\\n",
-                       i, colour + 1, colour + 4, curve.dashed ? 2 : 1, curve.title);
+                       "title {}, \\\n",
+                       i, colour + 1, colour + 4, curve.dashed ? 2 : 1, quoted(curve.title));
         if (!plot.pointLabels.empty())
             fmt::format_to(out,
                            "  $curve{} using 1:2:(sprintf('{}', $3)) with labels offset 0,0.8 font ',9' notitle, \\\n",
@@ -70,8 +77,8 @@ std::string gnuplotScript(const ErrorTimePlot& plot, const std::string& file) {
     fmt::format_to(
         out,
         "set logscale xy\nset format x '10^{{%L}}'\nset format y '10^{{%L}}'\nset grid\nset key outside right\n"
-        "set title '{}' noenhanced\nset xlabel '{}'\nset ylabel '{}'\n",
-        plot.title, plot.costLabel, plot.errorLabel);
+        "set title {} noenhanced\nset xlabel {}\nset ylabel {}\n",
+        quoted(plot.title), quoted(plot.costLabel), quoted(plot.errorLabel));
     fmt::format_to(out,
                    "set object rectangle from graph 0, graph 0 to graph 1, first {:.6g} fillcolor rgb '#dddddd' "
                    "fillstyle solid noborder behind\n",

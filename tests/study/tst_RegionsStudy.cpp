@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/Regions.h"
+#include "core/study/RegionsReport.h"
 #include "samples/SmallScenes.h"
 
 #include <QtTest>
@@ -30,8 +30,10 @@ simulation::Scene hangingSheet(bool withRegion) {
 /// rms of coarse, regions, as many particles, fine; and the floor [m].
 RegionsStudy madeUp(double coarse, double regions, double equal, double fine, double floor) {
     RegionsStudy study{.floor = floor};
-    for (const double rms : {coarse, regions, equal, fine}) {
-        study.layouts.push_back({.particles = 100, .time = {1, 1}});
+    for (const auto& [kind, rms] :
+         {std::pair(study::LayoutKind::coarse, coarse), std::pair(study::LayoutKind::regions, regions),
+          std::pair(study::LayoutKind::asManyPoints, equal), std::pair(study::LayoutKind::fine, fine)}) {
+        study.layouts.push_back({.kind = kind, .particles = 100, .time = {1, 1}});
         study.layouts.back().rms = rms;
     }
     return study;
@@ -67,9 +69,13 @@ void tst_RegionsStudy::aPatternWithoutRegionsHasNothingToCompare() {
 void tst_RegionsStudy::layoutsAreComparedAtTheSamePoints() {
     const auto study = study::studyRegions(hangingSheet(true), {.referenceSpacing = 0.01, .repetitions = 2});
     QVERIFY2(study, study ? "" : study.error().text.c_str());
-    QCOMPARE(static_cast<int>(study->layouts.size()), 4);
-    const auto &coarse = study->layouts[0], &regions = study->layouts[1], &equal = study->layouts[2],
-               &fine = study->layouts[3];
+    using study::LayoutKind;
+    QCOMPARE(study->layouts.size(), study::layoutKinds.size());
+    const auto &coarse = *study->find(LayoutKind::coarse), &regions = *study->find(LayoutKind::regions),
+               &equal = *study->find(LayoutKind::asManyPoints), &fine = *study->find(LayoutKind::fine);
+    // The lower half is as large as the upper one, and the paper's two levels need no rings.
+    QCOMPARE(study->find(LayoutKind::elsewhere)->particles, regions.particles);
+    QVERIFY(study->find(LayoutKind::paper)->particles <= regions.particles);
     QCOMPARE(coarse.particles, 11 * 11);
     QCOMPARE(fine.particles, 21 * 21);
     QCOMPARE(study->reference.particles, 41 * 41);
@@ -83,7 +89,8 @@ void tst_RegionsStudy::layoutsAreComparedAtTheSamePoints() {
     QVERIFY(fine.maximum >= fine.rms);
     QVERIFY(says(study::regionsText(*study, "sheet", {}), "| uniform, as many particles |"));
     const auto records = study::recordsOf(*study, "sheet", {});
-    QCOMPARE(records.size(), std::size_t(5));
+    QCOMPARE(records.size(), study::layoutKinds.size() + 1); // and the reference
+    QVERIFY(says(study::gnuplotScript(*study, "sheet", "regions"), "title 'regions, the paper''s rule'"));
     for (const Json& record : records) {
         QCOMPARE(toLine(record).find("null"), std::string::npos);
         const Json* cost = record.find("cost");
