@@ -94,8 +94,9 @@ std::string motionText(const std::vector<MotionCost>& costs) {
         const auto* fine = costOf(costs, LayoutKind::fine, method);
         if (!regions || !equal || !fine || regions->time.noisy || equal->time.noisy || fine->time.noisy) continue;
         fmt::format_to(
-            out, "By {} the regions take {:.2g} times the time of as many particles spread evenly, and {:.2g} times "
-                 "that of the uniform fine mesh.\n",
+            out,
+            "By {} the regions take {:.2g} times the time of as many particles spread evenly, and {:.2g} times "
+            "that of the uniform fine mesh.\n",
             dynamics::nameOf(method), regions->time.least / equal->time.least, regions->time.least / fine->time.least);
     }
     for (const MotionCost& cost : costs)

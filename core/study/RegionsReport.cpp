@@ -18,7 +18,8 @@ std::size_t noisyOf(const RegionsStudy& study) {
 /// "and 0.21 times the CPU time "; nothing where a time is noisy.
 std::string timesOf(const RegionsStudy& study) {
     if (noisyOf(study) > 0) return "";
-    return fmt::format("and {:.2f} times the CPU time ", study.find(LayoutKind::regions)->time.least / study.find(LayoutKind::fine)->time.least);
+    return fmt::format("and {:.2f} times the CPU time ",
+                       study.find(LayoutKind::regions)->time.least / study.find(LayoutKind::fine)->time.least);
 }
 
 Json recordOf(const LayoutResult& layout, std::string_view name) {
@@ -40,21 +41,20 @@ std::string verdictOn(const RegionsStudy& study) {
     std::string text;
     const auto compared = [&](const LayoutResult& other, const char* than) {
         const double gain = other.rms - regions.rms;
-        if (std::abs(gain) <= study.floor)
-            return fmt::format("as near to the reference as {}", than);
+        if (std::abs(gain) <= study.floor) return fmt::format("as near to the reference as {}", than);
         return fmt::format("{:.2g} mm {} than {}", 1e3 * std::abs(gain),
                            gain > 0 ? "nearer to the reference" : "farther off", than);
     };
-    text = fmt::format(
-        "The regions are {}, and {}. They take {:.2f} times the particles {}of the uniform fine mesh, and "
-        "are {}. ",
-        compared(coarse, "the uniform coarse mesh"), compared(equal, "a uniform mesh of as many particles"),
-        static_cast<double>(regions.particles) / fine.particles, timesOf(study), compared(fine, "it"));
+    text =
+        fmt::format("The regions are {}, and {}. They take {:.2f} times the particles {}of the uniform fine mesh, and "
+                    "are {}. ",
+                    compared(coarse, "the uniform coarse mesh"), compared(equal, "a uniform mesh of as many particles"),
+                    static_cast<double>(regions.particles) / fine.particles, timesOf(study), compared(fine, "it"));
     for (const LayoutKind kind : {LayoutKind::paper, LayoutKind::elsewhere})
         if (const LayoutResult* other = study.find(kind))
-            text += fmt::format("They are {}. ", compared(*other, kind == LayoutKind::paper
-                                                                      ? "the same regions by the paper's rule"
-                                                                      : "the same regions in a wrong place"));
+            text += fmt::format("They are {}. ",
+                                compared(*other, kind == LayoutKind::paper ? "the same regions by the paper's rule"
+                                                                           : "the same regions in a wrong place"));
     text += fmt::format("Differences of less than the floor, {:.2g} mm, are none. ", 1e3 * study.floor);
     const bool better = regions.rms + study.floor < equal.rms, worse = equal.rms + study.floor < regions.rms;
     text += better  ? "**Here the regions pay.**"
@@ -76,8 +76,8 @@ std::string regionsText(const RegionsStudy& study, const std::string& document, 
         study.reference.particles, study.points, 1e3 * study.floor, study.repetitions);
     const auto row = [&](const LayoutResult& layout, std::string_view name, const std::string& rms,
                          const std::string& largest) {
-        text += fmt::format("| {} | {:.3g} | {} | {} | {} | {:.3g} | {:.3g} | {} | {} | {:.3g} | {:.5g} | {} |\n",
-                            name, 1e3 * layout.spacing, layout.particles, layout.springs, layout.bytes / 1024,
+        text += fmt::format("| {} | {:.3g} | {} | {} | {} | {:.3g} | {:.3g} | {} | {} | {:.3g} | {:.5g} | {} |\n", name,
+                            1e3 * layout.spacing, layout.particles, layout.springs, layout.bytes / 1024,
                             layout.time.least, layout.time.median, rms, largest, 100 * layout.strain.rms, layout.energy,
                             layout.atRest ? "yes" : "no");
     };

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/NewtonSteps.h"
+
+namespace toile::dynamics {
+namespace {
+
+/// A factor serves so many iterations at most …
+constexpr int factorServes = 20;
+/// … and none after one that took more conjugate gradients than this.
+constexpr int manyGradients = 12;
+/// What is factored is the projected Hessian and so much inertia [1/s²]: soft directions keep a length.
+constexpr double leastInertia = 0.01;
+
+/// Fewer free particles have a factor for every iteration, shifted by inertia: it is cheap there, and where soft
+/// directions turn, as of a strap that swings or of a chain of stiff links, an old one leads across them.
+constexpr std::size_t fewParticles = 4000;
+
+} // namespace
+
+std::unique_ptr<NewtonSteps> stepsFor(const Potential& potential, BlockSolver& solver, double tolerance) {
+    if (potential.inertia() > 0 || potential.mass().size() < fewParticles)
+        return std::make_unique<ShiftedSteps>(potential, solver);
+    return std::make_unique<TrustedSteps>(potential, solver, 0.5 * tolerance * potential.forceScale());
+}
+
+TrustedSteps::TrustedSteps(const Potential& potential, BlockSolver& solver, double leastForce)
+    : potential_(potential), solver_(solver), leastForce_(leastForce),
+      exact_(static_cast<int>(potential.mass().size())) {}
+
+std::optional<TrustedStep> TrustedSteps::stepAt(std::span<const Vec3> x, std::span<const Vec3> forces, double,
+                                                MinimiserIteration& log) {
+    if (!factored_ || served_ >= factorServes || gradients_ > manyGradients)
+        if (!factoredAt(x)) return std::nullopt;
+    ++served_;
+    potential_.assemble(x, cloth::HessianForm::exact, exact_);
+    exact_.settlePattern();
+    TrustedStep step = trustedStep(exact_, solver_.matrix(), forces, radius_, {.leastForce = leastForce_});
+    if (radius_ == 0) radius_ = step.norm;
+    gradients_ = step.iterations;
+    log.gradientIterations = step.iterations;
+    log.indefinite = step.downwards;
+    return step;
+}
+
+bool TrustedSteps::factoredAt(std::span<const Vec3> x) {
+    potential_.assemble(x, cloth::HessianForm::projected, solver_.matrix());
+    std::vector<double> shift(potential_.mass().size());
+    double inertia = leastInertia;
+    for (int attempt = 0; attempt < 12; ++attempt, inertia *= 10) {
+        for (std::size_t u = 0; u < shift.size(); ++u) shift[u] = inertia * potential_.mass()[u];
+        if (!solver_.matrix().factorize(shift)) continue;
+        served_ = 0;
+        factored_ = true;
+        return true;
+    }
+    return false;
+}
+
+void TrustedSteps::judge(const TakenStep& last, double surprise, double gain) {
+    if (surprise > 2 * last.expected) radius_ = 0.1 * last.norm;
+    else if (gain < 0.25) radius_ = 0.4 * last.norm;
+    else if (last.cuts > 0) radius_ = last.norm;
+    else if (gain > 0.75 && last.bounded) radius_ = 2.5 * last.norm;
+}
+
+void TrustedSteps::trustLess() {
+    radius_ *= 1e-2;
+    factored_ = false;
+}
+
+} // namespace toile::dynamics
