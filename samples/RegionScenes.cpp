@@ -81,8 +81,7 @@ document::Document finerInSlack() {
     Piece slack = strip(length);
     slack.regions = {finer("middle", {-stripWidth / 2, -band / 2}, {stripWidth / 2, band / 2})};
     // Half a circle, its ends on top: rolled about the weft, the right side down.
-    slack.placement =
-        Placement{{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {0, 1, 0}}, Curl{{1, 0}, length / std::numbers::pi}};
+    slack.placement = Placement{{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {0, 1, 0}}, Curl{{1, 0}, length / std::numbers::pi}};
     document::Document document = documentOf(slack);
     for (const char* end : {"lower-", "upper-"})
         for (int i = 0; i <= 5; ++i) {

@@ -48,8 +48,7 @@ struct Meshed {
 Meshed meshed(const QString& garment, const QString& spacing) {
     const QTemporaryDir folder;
     const QString report = folder.filePath("mesh.json");
-    const Finished finished =
-        run({"mesh", sample(garment + ".toile"), "--spacing", spacing, "--report", report});
+    const Finished finished = run({"mesh", sample(garment + ".toile"), "--spacing", spacing, "--report", report});
     if (finished.status != 0) return {};
     const Json json = jsonOf(contentOf(report));
     const Json* total = json.find("total");
