@@ -26,7 +26,7 @@ pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)
 pkg_check_modules(md4c-html REQUIRED IMPORTED_TARGET md4c-html)
 
 if(TOILE_UI)
-    find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg)
+    find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg Charts)
 endif()
 if(TOILE_TESTS)
     find_package(Qt6 6.4 REQUIRED COMPONENTS Core Test)

@@ -75,17 +75,26 @@ Result<void> run(const StudyOptions& options, std::stop_token stop) {
     if (!study) return tl::unexpected(study.error());
     fmt::print("{}", book->standingText());
 
-    const fs::path script = folder / "accuracy.gp";
-    const std::string text = study::garmentText(*study, options.within, circumstances);
-    if (auto written = writeReport(folder, text, study::recordsOf(*study, circumstances)); !written) return written;
-    if (auto written = writeFileAtomically(script, study::gnuplotScript(*study, "accuracy")); !written) return written;
+    const auto pictures = writeGarmentReport(options.out, *study, options.within, circumstances);
+    if (!pictures) return tl::unexpected(pictures.error());
     fmt::print("{}\n", study::verdictOn(*study));
     if (options.within) fmt::print("{}\n", study::suggestion(*study, *options.within));
-    fmt::print("{}/report.md{}\n", options.out, drawn(script) ? "" : withoutPictures);
+    fmt::print("{}/report.md{}\n", options.out, *pictures ? "" : withoutPictures);
     return {};
 }
 
 } // namespace
+
+Result<bool> writeGarmentReport(const std::string& folder, const study::GarmentAccuracy& study,
+                                const std::optional<double>& within, const study::Circumstances& circumstances) {
+    const fs::path script = fs::path(folder) / "accuracy.gp";
+    const std::string text = study::garmentText(study, within, circumstances);
+    if (auto written = writeReport(folder, text, study::recordsOf(study, circumstances)); !written)
+        return tl::unexpected(written.error());
+    if (auto written = writeFileAtomically(script, study::gnuplotScript(study, "accuracy")); !written)
+        return tl::unexpected(written.error());
+    return drawn(script);
+}
 
 bool namesADocument(const StudyOptions& options) {
     return options.cases.size() == 1 && fs::path(options.cases.front()).extension() == ".toile";

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/BuildFacts.h"
+#include "app/batch/StudyFolder.h"
+#include "app/batch/StudyGarment.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/Theme.h"
 #include "ui/window/Translation.h"
@@ -14,6 +16,7 @@
 #include <QTimer>
 #include <QTranslator>
 
+#include <fmt/format.h>
 #include <spdlog/sinks/rotating_file_sink.h>
 #include <spdlog/spdlog.h>
 
@@ -61,6 +64,22 @@ QStringList sampleFolders() {
         QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("../share/toile/samples"));
     if (QDir(installed).exists()) return {QDir::cleanPath(installed)};
     return {QStringLiteral(TOILE_SAMPLES)};
+}
+
+/// The study as the command line has it; its report says that the window made it.
+ui::AccuracyParts accuracyParts() {
+    return {[](const auto& name, const auto& scene, const auto& plan, std::stop_token stop, const Progress& progress) {
+                return study::studyGarment(name, scene, plan, stop, progress);
+            },
+            [](std::string command) {
+                study::Circumstances circumstances = batch::circumstancesOf(std::move(command));
+                const batch::BuildFacts facts = batch::buildFacts();
+                circumstances.program = fmt::format("toile {} ({})", facts.version, facts.commit);
+                return circumstances;
+            },
+            [](const auto& folder, const auto& study, const auto& within, const auto& circumstances) {
+                return batch::writeGarmentReport(folder, study, within, circumstances).map([](bool) {});
+            }};
 }
 
 /// Our own texts and Qt's, in the language of the user's system where we have it.
@@ -114,7 +133,7 @@ int main(int argc, char** argv) {
     QObject::connect(&workbench, &ui::Workbench::messageChanged, [](const QString& message, bool isProblem) {
         spdlog::log(isProblem ? spdlog::level::warn : spdlog::level::info, "{}", message.toStdString());
     });
-    ui::MainWindow window(workbench, {ui::writeDrapeOf, sampleFolders(), versionText().trimmed()});
+    ui::MainWindow window(workbench, {ui::writeDrapeOf, sampleFolders(), versionText().trimmed(), accuracyParts()});
     window.show();
     QTimer::singleShot(0, &window, [&] { // dialogs need the loop running
         const QStringList files = parser.positionalArguments();

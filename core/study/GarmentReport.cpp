@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/GarmentReport.h"
 
+#include "core/study/Advice.h"
 #include "core/study/ErrorTimePlot.h"
 
 #include <algorithm>
@@ -27,23 +28,6 @@ std::string nameOf(const GarmentRun& run) {
 
 bool counts(const GarmentRun& run) {
     return run.drape.status.empty();
-}
-
-std::vector<const GarmentRun*> countedRuns(const GarmentAccuracy& study) {
-    std::vector<const GarmentRun*> runs;
-    for (const GarmentRun& run : study.runs)
-        if (counts(run)) runs.push_back(&run);
-    return runs;
-}
-
-bool hasLengths(const GarmentReference& reference) {
-    return std::ranges::any_of(
-        reference.mean, [](const Quantity& quantity) { return quantity.value && quantity.measure == Measure::length; });
-}
-
-std::size_t noisyRuns(const GarmentAccuracy& study) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(study.runs, [](const GarmentRun& run) { return counts(run) && run.time.noisy; }));
 }
 
 /// The mesh as drawn at this factor by this method; of several factors the finest that was run.
@@ -171,32 +155,26 @@ std::string verdictOn(const GarmentAccuracy& study) {
 }
 
 std::string suggestion(const GarmentAccuracy& study, double within) {
-    if (const std::size_t noisy = noisyRuns(study); noisy > 0) return tooNoisy(noisy, countedRuns(study).size());
-    if (!hasLengths(study.reference))
-        return "It has no lengths that could be compared: no hem, girth, neck or shoulder.";
-    const auto runs = countedRuns(study);
-    std::vector<const GarmentRun*> meeting;
-    std::ranges::copy_if(runs, std::back_inserter(meeting),
-                         [&](const GarmentRun* run) { return run->lengthError <= within; });
-    if (!meeting.empty()) {
-        const GarmentRun& cheapest =
-            **std::ranges::min_element(meeting, {}, [](const GarmentRun* run) { return run->time.least; });
+    const auto& reference = study.reference;
+    const auto [counsel, run, quantity] = adviceOn(study, within);
+    switch (counsel) {
+    case Counsel::meets:
         return fmt::format("Within {:.3g} mm of the reference in every length, cheapest: **{}**, {:.3g} CPU s, within "
                            "{:.2g} mm.",
-                           1e3 * within, nameOf(cheapest), cheapest.time.least, 1e3 * cheapest.lengthError);
+                           1e3 * within, nameOf(*run), run->time.least, 1e3 * run->lengthError);
+    case Counsel::noneMeets:
+        return fmt::format("No setting that was run is within {:.3g} mm in every length; the nearest is {}, within "
+                           "{:.2g} mm in {:.3g} CPU s.",
+                           1e3 * within, nameOf(*run), 1e3 * run->lengthError, run->time.least);
+    case Counsel::belowFloor:
+        return fmt::format("Within {:.3g} mm nothing can be told: {} differs by {:.2g} mm from one drape of the same "
+                           "garment to the next.",
+                           1e3 * within, reference.mean[quantity].name, 1e3 * reference.floor[quantity]);
+    case Counsel::noLengths: return "It has no lengths that could be compared: no hem, girth, neck or shoulder.";
+    case Counsel::tooNoisy: return tooNoisy(noisyRuns(study), countedRuns(study).size());
+    case Counsel::noRun: break;
     }
-    const auto& reference = study.reference;
-    for (std::size_t q = 0; q < reference.mean.size(); ++q)
-        if (reference.mean[q].value && reference.mean[q].measure == Measure::length && reference.floor[q] > within)
-            return fmt::format(
-                "Within {:.3g} mm nothing can be told: {} differs by {:.2g} mm from one drape of the same "
-                "garment to the next.",
-                1e3 * within, reference.mean[q].name, 1e3 * reference.floor[q]);
-    if (runs.empty()) return "No run came to rest.";
-    const GarmentRun& nearest = **std::ranges::min_element(runs, {}, &GarmentRun::lengthError);
-    return fmt::format("No setting that was run is within {:.3g} mm in every length; the nearest is {}, within {:.2g} "
-                       "mm in {:.3g} CPU s.",
-                       1e3 * within, nameOf(nearest), 1e3 * nearest.lengthError, nearest.time.least);
+    return "No run came to rest.";
 }
 
 std::string garmentText(const GarmentAccuracy& study, const std::optional<double>& within,

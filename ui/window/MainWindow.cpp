@@ -2,6 +2,7 @@
 #include "ui/window/MainWindow.h"
 
 #include "core/material/FabricPresets.h"
+#include "ui/accuracy/AccuracyPanel.h"
 #include "ui/panels/ObjectList.h"
 #include "ui/panels/PropertyEditor.h"
 #include "ui/window/HandLink.h"
@@ -10,6 +11,7 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -44,6 +46,7 @@ MainWindow::MainWindow(Workbench& workbench, WindowParts parts, QWidget* parent)
     makeMenus();
     makeToolBars();
     makeViewBar();
+    makeAccuracyDock();
     connectWorkbench();
     useTool(QStringLiteral("tool.transform"));
     resize(1500, 920);
@@ -79,6 +82,25 @@ void MainWindow::makeViews() {
     setStatusBar(status_);
     link_ = new SceneLink(workbench_, *view3D_, this);
     new HandLink(workbench_, *view3D_, this);
+}
+
+/// Below the views, and hidden until it is asked for; it can be torn off.
+void MainWindow::makeAccuracyDock() {
+    auto* panel = new AccuracyPanel(workbench_, parts_.accuracy);
+    accuracy_ = new QDockWidget(tr("Accuracy"), this);
+    accuracy_->setObjectName(QStringLiteral("accuracyDock"));
+    accuracy_->setWidget(panel);
+    addDockWidget(Qt::BottomDockWidgetArea, accuracy_);
+    accuracy_->hide();
+    connect(accuracy_, &QDockWidget::visibilityChanged, this,
+            [this] { actions_["simulation.accuracy"]->setChecked(!accuracy_->isHidden()); });
+    connect(panel, &AccuracyPanel::resultShown, this, [this] {
+        constexpr int roomForAChart = 400; // [pixels]
+        if (accuracy_->height() < roomForAChart) resizeDocks({accuracy_}, {roomForAChart}, Qt::Vertical);
+    });
+    connect(panel, &AccuracyPanel::finishWanted, this, [this] {
+        if (QAction* finish = actions_["simulation.finish"]; !finish->isChecked()) finish->trigger();
+    });
 }
 
 void MainWindow::makeActions() {
@@ -139,8 +161,8 @@ void MainWindow::makeMenus() {
                       "look3d.body",  "look3d.meshLines",  "look3d.seams",  "look3d.regions", "-"});
     actions_.fill(*view->addMenu(tr("Mouse in the &3D view")), {"habits.clo", "habits.blender", "habits.maya"});
     menu(tr("&Avatar"), {"avatar.mannequin", "avatar.import", "avatar.remove"});
-    menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset", "-", "simulation.finish", "-",
-                             "simulation.saveCheckpoint", "simulation.resume"});
+    menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset", "-", "simulation.finish",
+                             "simulation.accuracy", "-", "simulation.saveCheckpoint", "simulation.resume"});
     menu(tr("&Help"), {"help.about"});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/accuracy/AccuracyStudy.h"
 #include "ui/pattern/PatternView.h"
 #include "ui/view3d/View3D.h"
 #include "ui/window/Actions.h"
@@ -12,6 +13,7 @@
 
 #include <QMainWindow>
 
+class QDockWidget;
 class QMenu;
 class QToolBar;
 
@@ -22,6 +24,7 @@ struct WindowParts {
     FileCommands::DrapeWriter writeDrape;
     QStringList sampleFolders;
     QString aboutText; ///< facts of the build
+    AccuracyParts accuracy = {};
 };
 
 /// Of the settings: the id of the chosen action.
@@ -52,6 +55,7 @@ private:
     void makeToolBars();
     void makeViewBar(); ///< above the 3D view
     void makeViews();
+    void makeAccuracyDock();
     void connectWorkbench();
     void showTitle();
     void showHistory();
@@ -77,6 +81,7 @@ private:
     PatternView* pattern_ = nullptr;
     ToolOptions* options_ = nullptr;
     StatusLine* status_ = nullptr;
+    QDockWidget* accuracy_ = nullptr;
     SceneLink* link_ = nullptr;
 };
 

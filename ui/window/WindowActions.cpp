@@ -7,6 +7,7 @@
 #include "ui/workbench/Arrange.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QSettings>
 
 namespace toile::ui {
@@ -188,6 +189,13 @@ std::vector<ActionSpec> MainWindow::simulationActions() {
              workbench_.finishAtRest(wanted);
          },
          tr("Find the equilibrium by statics when the cloth has come to rest: lengths are right within less")},
+        {"simulation.accuracy",
+         tr("&Accuracy"),
+         {},
+         {},
+         true,
+         [this] { accuracy_->setVisible(actions_["simulation.accuracy"]->isChecked()); },
+         tr("Measure how wrong the drape is, and what less error would cost")},
         {"simulation.saveCheckpoint",
          tr("Save &checkpoint…"),
          {},

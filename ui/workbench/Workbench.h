@@ -45,6 +45,9 @@ public:
     [[nodiscard]] const meshing::MeshReport& meshReport() const { return meshed_.report; }
     [[nodiscard]] const std::optional<simulation::Frame>& frame() const { return frame_; }
     [[nodiscard]] const std::optional<Shared<body::Body>>& body() const { return body_; }
+    /// What is handed over to the simulation; absent before the first. Not the document's while its body is being read.
+    [[nodiscard]] const std::optional<simulation::Scene>& scene() const { return scene_; }
+    [[nodiscard]] bool isReadingBody() const { return bodyLoading_; }
     /// Counts the scenes that were handed over: frames of older ones are not shown.
     [[nodiscard]] std::uint64_t generation() const { return generation_; }
 
