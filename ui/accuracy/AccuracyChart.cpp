@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace toile::ui {
 namespace {
@@ -34,12 +35,14 @@ constexpr double markerSize = 9;
 /// A band that lies so many times below the nearest run is left out: it would press the runs together.
 constexpr double farthestBand = 6;
 
-/// Powers of two: a study spans a decade or two, which decades alone would leave without numbers.
-QLogValueAxis* logarithmic(const QString& title) {
+/// Powers of two, or of its root: a study spans a decade or two, which decades alone would leave without numbers.
+QLogValueAxis* logarithmic(const QString& title, double from, double to) {
+    constexpr double wide = 24;
     auto* axis = new QLogValueAxis;
-    axis->setBase(2);
+    axis->setBase(to / from > wide ? 2 : std::numbers::sqrt2);
+    axis->setRange(from, to);
     axis->setTitleText(title);
-    axis->setLabelFormat(QStringLiteral("%g"));
+    axis->setLabelFormat(QStringLiteral("%.2g"));
     axis->setGridLineColor(QColor(0xe4, 0xe8, 0xec));
     axis->setMinorTickCount(0);
     QFont font = axis->labelsFont();
@@ -101,8 +104,6 @@ QPointF AccuracyChart::pointOf(const GarmentRun& run) const {
 }
 
 void AccuracyChart::addAxes() {
-    cost_ = logarithmic(tr("CPU time of the drape, s"));
-    error_ = logarithmic(measure_ == AccuracyMeasure::floorsOff ? tr("error, floors off") : tr("worst length, mm"));
     double least = HUGE_VAL, most = 0, lowest = HUGE_VAL, highest = 0;
     for (const GarmentRun& run : study_->runs) {
         least = std::min(least, run.time.least);
@@ -112,8 +113,9 @@ void AccuracyChart::addAxes() {
         highest = std::max(highest, pointOf(run).y());
     }
     if (const double band = bandOf(); band > lowest / farthestBand) lowest = std::min(lowest, band);
-    cost_->setRange(least / 1.25, most * 1.25);
-    error_->setRange(std::max(lowest, 1e-6) / 1.4, std::max(highest, 2e-6) * 1.4);
+    cost_ = logarithmic(tr("CPU time of the drape, s"), least / 1.25, most * 1.25);
+    error_ = logarithmic(measure_ == AccuracyMeasure::floorsOff ? tr("error, floors off") : tr("worst length, mm"),
+                         std::max(lowest, 1e-6) / 1.4, std::max(highest, 2e-6) * 1.4);
     chart()->addAxis(cost_, Qt::AlignBottom);
     chart()->addAxis(error_, Qt::AlignLeft);
 }
