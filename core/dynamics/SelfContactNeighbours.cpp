@@ -29,14 +29,17 @@ bool SelfContact::foreseen(std::span<const Vec3> positions, double time) const {
     return true;
 }
 
-/// Seeks neighbours for one frame step ahead, as if particles went on as in this substep; for less where that brings
-/// too many near.
+/// Seeks neighbours for one frame step ahead, as if particles went on as in this substep. For less where the last list
+/// did not hold so long: of cloth in tumult only the next few substeps can be foreseen, and a longer look finds more
+/// pairs that never meet. For less, too, where that brings too many near.
 bool SelfContact::foresee(const Substep& substep) {
     prepareSearch(substep.previous);
-    fromTime_ = substep.time - substep.duration;
+    const double start = substep.time - substep.duration, frame = std::max(frame_, substep.duration);
+    const double longest = from_.empty() ? frame : std::clamp(2 * (start - fromTime_), substep.duration, frame);
+    fromTime_ = start;
     moves_.resize(substep.positions.size());
     for (ahead_ = std::min(1.0, 2 * ahead_); ahead_ >= leastAhead; ahead_ *= 0.5) {
-        horizon_ = ahead_ * std::max(frame_, substep.duration);
+        horizon_ = std::min(ahead_ * frame, longest);
         slack_ = ahead_ * settings_.slack;
         for (std::size_t p = 0; p < moves_.size(); ++p)
             moves_[p] = (horizon_ / substep.duration) * (substep.positions[p] - substep.previous[p]);
