@@ -2,6 +2,7 @@
 #include "samples/Samples.h"
 
 #include "samples/Blouse.h"
+#include "samples/BodyScenes.h"
 #include "samples/CircleSkirt.h"
 #include "samples/RegionScenes.h"
 #include "samples/SmallScenes.h"
@@ -39,6 +40,8 @@ Result<std::vector<NamedDocument>> sampleDocuments(const Wearers& wearers) {
         {"two-squares", twoSquares()},
         {"finer-over-rod", finerOverRod()},
         {"finer-in-slack", finerInSlack()},
+        {"cloth-over-ball", clothOverBall()},
+        {"capsule-tunic", capsuleTunic()},
     };
     for (NamedDocument& sample : samples) sample.document.pattern = laidOut(sample.document.pattern);
     return samples;
@@ -46,9 +49,13 @@ Result<std::vector<NamedDocument>> sampleDocuments(const Wearers& wearers) {
 
 std::vector<NamedBody> sampleBodies(const Wearers& wearers) {
     return {
-        {"mannequin", wearers.usual.body},         {"mannequin-42", wearers.fuller.body},
-        {"table", {"table", tableMesh(), {}, {}}}, {"cylinder", {"cylinder", cylinderMesh(), {}, {}}},
+        {"mannequin", wearers.usual.body},
+        {"mannequin-42", wearers.fuller.body},
+        {"table", {"table", tableMesh(), {}, {}}},
+        {"cylinder", {"cylinder", cylinderMesh(), {}, {}}},
         {"rod", {"rod", rodMesh(), {}, {}}},
+        {"ball", {"ball", ballMesh(), {}, {}}},
+        {"capsule", {"capsule", capsuleMesh(), {}, {}}},
     };
 }
 
