@@ -63,7 +63,7 @@ struct AvatarOptions {
 struct StudyOptions {
     std::vector<std::string> cases; ///< scenes or features by name, empty = all; or documents
     bool full = false;              ///< finer and longer
-    int repetitions = 0;            ///< of every run of lean; 0 = as many as the study takes
+    int repetitions = 0;            ///< of every run of lean and scenes; 0 = as many as the study takes
     bool count = false;             ///< instructions of lean, by valgrind
     bool fresh = false;             ///< measures again what stands in the folder already
     std::optional<double> within;   ///< of accuracy of a document: the error to suggest a setting for [m]
@@ -78,6 +78,9 @@ struct StudyOptions {
 /// What parts of a step cost, and that they cost nothing where a scene does not need them. Cases are features by name,
 /// or documents.
 [[nodiscard]] int studyLean(const StudyOptions& options, std::stop_token stop);
+
+/// Scenes that have a goal for error and cost; cases are their names.
+[[nodiscard]] int studyScenes(const StudyOptions& options, std::stop_token stop);
 
 /// What differs between two reports of one study: folders, or their results.jsonl. goalMissed where something got
 /// worse.

@@ -251,6 +251,21 @@ void declareLean(CLI::App& study, std::stop_token stop, std::function<int()>& ch
     lean->callback([options, stop, &chosen] { chosen = [options, stop] { return batch::studyLean(*options, stop); }; });
 }
 
+void declareScenes(CLI::App& study, std::stop_token stop, std::function<int()>& chosen) {
+    auto* scenes = study.add_subcommand("scenes", "scenes with a goal for error and cost, and what is seen of them");
+    auto options = std::make_shared<StudyOptions>();
+    options->full = true;
+    scenes->add_option("NAME", options->cases,
+                       "flap, hanging, stiff, ball, tunic, t-shirt, falling; all if none is named");
+    scenes->add_flag("--full,!--quick", options->full, "without --quick also those that take minutes");
+    scenes->add_option("--out", options->out, "folder of report.md and results.jsonl")->required();
+    scenes->add_option("--repetitions", options->repetitions, "of every timed run")->check(CLI::Range(1, 1000));
+    addFresh(*scenes, options->fresh);
+    scenes->add_flag("--quiet", options->quiet, "no progress");
+    scenes->callback(
+        [options, stop, &chosen] { chosen = [options, stop] { return batch::studyScenes(*options, stop); }; });
+}
+
 void declareCompare(CLI::App& study, std::function<int()>& chosen) {
     auto* compare = study.add_subcommand("compare", "what got better or worse between two reports of one study");
     auto reports = std::make_shared<std::pair<std::string, std::string>>();
@@ -295,6 +310,7 @@ void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& cho
     declareValidation(*study, stop, chosen);
     declareStability(*study, stop, chosen);
     declareLean(*study, stop, chosen);
+    declareScenes(*study, stop, chosen);
     declareCompare(*study, chosen);
 }
 

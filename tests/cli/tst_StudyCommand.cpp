@@ -19,6 +19,7 @@ private slots:
     void extremesAreRunByTheirNumbers();
     void partsOfAStepAreRunByTheirNames();
     void instructionsAreCountedOrTheReasonIsSaid();
+    void scenesStandBesideTheirGoals();
     void aStudyThatWasStoppedGoesOn();
     void reportsAreCompared();
 };
@@ -178,6 +179,26 @@ void tst_StudyCommand::instructionsAreCountedOrTheReasonIsSaid() {
         QVERIFY(*jsonOf(line).find("cost")->find("instructions")->asNumber() > 1e5); // of 256 particles in a frame step
     QVERIFY(contentOf(folder.filePath("lean/report.md")).contains("counted by valgrind"));
     QVERIFY(!QFile::exists(folder.filePath("lean/counted")));
+}
+
+void tst_StudyCommand::scenesStandBesideTheirGoals() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("scenes");
+    const QStringList command{"study", "scenes", "tunic", "--quick", "--repetitions", "1", "--quiet", "--out", out};
+    const Finished finished = run(command);
+    QCOMPARE(finished.err, QString());
+    QVERIFY(finished.status == 0 || finished.out.contains("Missed: tunic")); // how fast it is depends on the build
+    const QString report = QString::fromUtf8(contentOf(out + "/report.md"));
+    QVERIFY(report.contains("`toile-cli study scenes tunic --quick --repetitions 1 --out " + out + "`"));
+    QVERIFY(report.contains("| 0 ≤ 0 | 0 ≤ 0 | 0 ≤ 0 | 0 ≤ 0 |")); // closed, outside, and clear of itself
+    QVERIFY(missingKeys(jsonOf(contentOf(out + "/results.jsonl")),
+                        {"schema", "program", "machine", "scene", "method", "result", "goal", "cost", "verdict"})
+                .isEmpty());
+    QVERIFY(run(command).out.contains("1 of 1 records stood in"));
+
+    const Finished none = run({"study", "scenes", "trousers", "--out", out});
+    QCOMPARE(none.status, 1);
+    QVERIFY(none.err.contains("There is no scene \"trousers\"; there are flap, hanging, "));
 }
 
 void tst_StudyCommand::aStudyThatWasStoppedGoesOn() {
