@@ -147,7 +147,7 @@ std::vector<const GarmentRun*> frontOf(const GarmentAccuracy& study) {
 
 std::string verdictOn(const GarmentAccuracy& study) {
     if (const std::size_t noisy = noisyRuns(study); noisy > 0) return tooNoisy(noisy, countedRuns(study).size());
-    std::string text = judged("The interactive default", runOf(study, Method::xpbd, false), study);
+    std::string text = judged("The interactive default", runOf(study, Method::xpbd, true), study);
     text += judged("The accurate default", runOf(study, Method::trBdf2, true), study);
     std::vector<std::string> front;
     for (const GarmentRun* run : frontOf(study)) front.push_back(nameOf(*run));
