@@ -12,8 +12,8 @@ Result<Curl> usable(const Curl& curl, const Piece& piece) {
     const double size = geometry::length(curl.axis);
     if (!(size > 1e-9 && std::isfinite(size)))
         return fail(ErrorCode::invalidInput, "The axis of a curl needs a direction.", placeOf(piece));
-    if (!(curl.radius > 0 && std::isfinite(curl.radius)))
-        return fail(ErrorCode::invalidInput, "The radius of a curl must be a positive length.", placeOf(piece));
+    if (!(std::abs(curl.radius) > 0 && std::isfinite(curl.radius)))
+        return fail(ErrorCode::invalidInput, "The radius of a curl must be a length other than 0.", placeOf(piece));
     if (curl.bent && !isLine(*curl.bent))
         return fail(ErrorCode::invalidInput,
                     "A bent middle needs two points at least, and no two neighbours in one place.", placeOf(piece));
@@ -27,6 +27,14 @@ Result<void> rigid(const Transform& transform, const Piece& piece) {
 }
 
 } // namespace
+
+Placement movedOutward(const Placement& placement, double way) {
+    const double outward = placement.curl && placement.curl->radius < 0 ? -1 : 1;
+    Placement moved = placement;
+    moved.transform.origin += moved.transform.axisZ * (outward * way);
+    if (moved.curl) moved.curl->radius += outward * way;
+    return moved;
+}
 
 bool isRigid(const Transform& t) {
     constexpr double tolerance = 1e-6;

@@ -19,6 +19,9 @@ namespace toile::pattern {
 /// plane x = 0, which halves a body.
 [[nodiscard]] Placement mirrored(const Placement& placement);
 
+/// Farther out: a flat piece the way its right side faces, a curled one wider about the same middle.
+[[nodiscard]] Placement movedOutward(const Placement& placement, double way);
+
 /// A rigid motion: orthonormal axes, right-handed, to 1e-6.
 [[nodiscard]] bool isRigid(const Transform& transform);
 /// Two points at least, no two neighbours in one place, finite numbers.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Clearing.h"
 
+#include "core/pattern/PatternPlacement.h"
+
 #include <algorithm>
 
 namespace toile::simulation {
@@ -19,9 +21,8 @@ pattern::Placement movedClear(const std::vector<Vec2>& points, const pattern::Pl
     constexpr double step = 0.005, farthest = 0.15; // [m]
     const bool tube = isTube(points, placement);
     for (double way = 0; way <= farthest; way += step) {
-        pattern::Placement moved = placement;
-        moved.transform.origin += moved.transform.axisZ * way;
-        if (tube) moved.curl->radius += way;
+        pattern::Placement moved = pattern::movedOutward(placement, way);
+        if (!tube) moved.curl = placement.curl;
         if (isClear(points, moved, body)) return moved;
     }
     return placement;

@@ -2,6 +2,7 @@
 #include "core/simulation/LayersApart.h"
 
 #include "core/collision/BodySurface.h"
+#include "core/pattern/PatternPlacement.h"
 #include "core/simulation/Topology.h"
 
 #include <algorithm>
@@ -82,19 +83,12 @@ bool isOutside(const Piece& piece, const collision::BodySurface& below) {
     return true;
 }
 
-pattern::Placement movedOut(const pattern::Placement& placement, double way) {
-    pattern::Placement moved = placement;
-    moved.transform.origin += moved.transform.axisZ * way;
-    if (moved.curl) moved.curl->radius += way; // about the same middle
-    return moved;
-}
-
 /// As it was if 10 cm do not help.
 pattern::Placement movedOutside(const Piece& piece, const pattern::Placement& placement,
                                 const collision::BodySurface& below) {
     constexpr double step = 0.0025, farthest = 0.1; // [m]
     for (double way = 0; way <= farthest; way += step) {
-        const pattern::Placement moved = movedOut(placement, way);
+        const pattern::Placement moved = pattern::movedOutward(placement, way);
         std::vector<Vec3> positions;
         for (const Vec2 node : piece.mesh.nodes) positions.push_back(pattern::placed(moved, node));
         if (isOutside({piece.mesh, positions, piece.layer}, below)) return moved;

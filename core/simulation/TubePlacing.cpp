@@ -79,7 +79,7 @@ Extent extentAlong(const std::vector<Vec2>& points, Vec2 direction) {
 bool isTube(const std::vector<Vec2>& points, const pattern::Placement& placement) {
     if (!placement.curl) return false;
     const Extent across = extentAlong(points, acrossOf(placement.curl->axis));
-    return across.high - across.low > std::numbers::pi * placement.curl->radius;
+    return across.high - across.low > std::numbers::pi * std::abs(placement.curl->radius);
 }
 
 } // namespace toile::simulation

@@ -111,10 +111,12 @@ void addPlacementRows(PropertySheet& sheet, const Piece& piece) {
                           tr("Rolled round an upright line before it is placed.")});
     if (!placement.curl) return;
     sheet.rows.push_back({QStringLiteral("curlRadius"), tr("Curl radius"),
-                          NumberRow{Quantity::length, placement.curl->radius, 0.01, 5, 5,
-                                    placing(piece.id, [](Placement& p, double radius) {
-                                        if (p.curl) p.curl->radius = radius;
-                                    })}});
+                          NumberRow{Quantity::length, placement.curl->radius, -5, 5, 5,
+                                    placing(piece.id,
+                                            [](Placement& p, double radius) {
+                                                if (p.curl) p.curl->radius = radius;
+                                            })},
+                          tr("Negative: the right side faces inward.")});
 }
 
 void addInterfacingRows(PropertySheet& sheet, const Piece& piece) {
