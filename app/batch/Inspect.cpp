@@ -34,6 +34,7 @@ Json pieceJson(const pattern::Pattern& pattern, const pattern::Piece& authored) 
     json.set("layer", piece.layer).set("spacing", piece.spacing).set("area", pattern::areaOf(piece));
     json.set("width", box.high.x - box.low.x).set("height", box.high.y - box.low.y);
     json.set("edges", piece.outline.edges.size()).set("holes", piece.holes.size()).set("regions", piece.regions.size());
+    json.set("folds", piece.folds.size());
     return json.set("notches", piece.notches.size()).set("placed", piece.placement.has_value());
 }
 

@@ -15,6 +15,12 @@ Json regionJson(const meshing::RegionReport& region) {
     return json.set("displacement", region.displacement).set("areaChange", region.areaChange);
 }
 
+Json foldJson(const meshing::FoldReport& fold) {
+    Json json;
+    json.set("name", fold.label).set("nodes", fold.nodes).set("length", fold.length);
+    return json.set("deviation", fold.deviation);
+}
+
 Json pieceJson(const meshing::PieceReport& piece) {
     Json json;
     if (!piece.label.empty()) json.set("name", piece.label);
@@ -34,9 +40,10 @@ Json pieceJson(const meshing::PieceReport& piece) {
     json.set("areaRelativeError", piece.areaRelativeError).set("boundaryDeviation", piece.boundaryDeviation);
     json.set("invertedCells", piece.invertedCells).set("missingBoundaryNodes", piece.missingBoundaryNodes);
     json.set("nonManifoldEdges", piece.nonManifoldEdges).set("seconds", piece.seconds).set("bytes", piece.bytes);
-    Json regions(Json::Array{});
+    Json regions(Json::Array{}), folds(Json::Array{});
     for (const meshing::RegionReport& region : piece.regions) regions.push(regionJson(region));
-    return json.set("regions", regions);
+    for (const meshing::FoldReport& fold : piece.folds) folds.push(foldJson(fold));
+    return json.set("regions", regions).set("folds", folds);
 }
 
 Json seamJson(const meshing::SeamReport& seam) {

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace toile::batch {
 namespace {
@@ -91,6 +92,10 @@ std::string methodsOf(const simulation::SewReport& report) {
     return text;
 }
 
+double degrees(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
+
 void printSummary(const simulation::SewReport& report, const SewOptions& options) {
     std::size_t closed = 0;
     for (const simulation::SeamResult& seam : report.seams) closed += seam.state.merged;
@@ -102,6 +107,10 @@ void printSummary(const simulation::SewReport& report, const SewOptions& options
                report.residual ? fmt::format(", residual {:.1e}", *report.residual) : "");
     if (options.paper || options.method != dynamics::nameOf(dynamics::Method::xpbd))
         fmt::print("{}\n", methodsOf(report));
+    for (const simulation::FoldReport& fold : report.folds)
+        fmt::print("piece \"{}\", fold \"{}\": pressed to {:.0f}°, lies at {:.0f}°, from {:.0f}° to {:.0f}°\n",
+                   fold.piece, fold.name, degrees(fold.restAngle), degrees(fold.mean), degrees(fold.least),
+                   degrees(fold.most));
     if (report.contact.bodyClearanceMinimum)
         fmt::print("{:.1f} mm from the body at the nearest, {} intersections with the body, {} with itself\n",
                    1000 * *report.contact.bodyClearanceMinimum, report.contact.bodyIntersections,

@@ -3,6 +3,7 @@
 
 #include "core/geometry/Vec.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -29,9 +30,14 @@ inline FoldAngle foldAngle(const Vec3& a, const Vec3& b, const Vec3& c, const Ve
     return fold;
 }
 
-/// How far an angle is from its rest, the short way round [rad].
+/// How far an angle is from its rest [rad]: the short way round, but past a rest of more than a right angle by a right
+/// angle at most, so that a flat hinge pressed to 180° knows which way it folds.
 inline double angleFrom(double rest, double angle) {
-    return std::remainder(angle - rest, 2 * std::numbers::pi);
+    constexpr double pi = std::numbers::pi;
+    const double from = angle - rest;
+    if (std::abs(from) < pi) return from;
+    const double over = std::copysign(std::max(0.0, std::abs(rest) - pi / 2), rest);
+    return std::remainder(from + over, 2 * pi) - over;
 }
 
 } // namespace toile::cloth

@@ -44,6 +44,7 @@ struct Patch {
     std::vector<PatchRectangle> rectangles;
     std::vector<PatchTriangle> triangles;
     std::vector<PatchSlave> slaves;
+    std::vector<std::pair<int, int>> creases; ///< sides that nothing keeps flat: the smaller node first, sorted
 };
 
 enum class CellForm {

@@ -119,7 +119,7 @@ public:
 
     void append() {
         for (const PatchEdge& edge : edgesOf(patch_)) {
-            if (!edge.isInner()) continue;
+            if (!edge.isInner() || isCrease(edge)) continue;
             if (edge.first.rectangle && edge.second.rectangle) addRow(edge);
             else addHinge(edge);
         }
@@ -127,6 +127,11 @@ public:
     }
 
 private:
+    [[nodiscard]] bool isCrease(const PatchEdge& edge) const {
+        return !patch_.creases.empty() &&
+               std::ranges::binary_search(patch_.creases, std::pair<int, int>(std::minmax(edge.a, edge.b)));
+    }
+
     /// Curvature across an edge between two rectangles, at both of its ends, each for half the edge's width.
     void addRow(const PatchEdge& edge) {
         const Vec2 along = patch_.material[edge.b] - patch_.material[edge.a];

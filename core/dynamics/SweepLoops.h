@@ -246,7 +246,10 @@ void sweepHinges(Place* places, std::span<const FourHinges> hinges, double cap) 
         Four angle{};
         for (int i = 0; i < 4; ++i) {
             const double from = std::atan2(sine[i], cosine[i]) - rest[i];
-            angle[i] = std::abs(from) < std::numbers::pi ? from : std::remainder(from, 2 * std::numbers::pi);
+            const double over = std::copysign(std::max(0.0, std::abs(rest[i]) - std::numbers::pi / 2), rest[i]);
+            angle[i] = std::abs(from) < std::numbers::pi
+                           ? from
+                           : std::remainder(from + over, 2 * std::numbers::pi) - over; // as cloth::angleFrom has it
         }
         const Vectors atC = n1 * (length / n1n1), atD = n2 * (length / n2n2);
         const Four s = dot(toC, e) / ee, t = dot(toD, e) / ee; // where the feet of c and d lie on the edge

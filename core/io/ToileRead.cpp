@@ -87,6 +87,22 @@ Notch notchOf(JsonNode& node) {
             static_cast<NotchKind>(node["kind"].choice(notchKindNames, 0)), node["double"].truth()};
 }
 
+BorderPoint borderPointOf(JsonNode node) {
+    return {idOf<EdgeId>(node.required("edge")), node.required("position").number()};
+}
+
+Fold foldOf(JsonNode& node) {
+    Fold fold;
+    fold.id = idOf<FoldId>(node.required("id"));
+    fold.name = node["name"].text(fold.id.value);
+    fold.ends = {borderPointOf(node.required("from")), borderPointOf(node.required("to"))};
+    if (const JsonNode between = node["between"]; between.exists()) fold.between = pointsOf(between);
+    fold.angle = angleOf(node["foldAngleDegrees"]);
+    fold.stiffnessFactor = node["stiffnessFactor"].number(fold.stiffnessFactor);
+    fold.unknown = node.unknown();
+    return fold;
+}
+
 InternalLine internalLineOf(JsonNode& node) {
     return {node["name"].text(), pointsOf(node.required("points"))};
 }
@@ -177,6 +193,7 @@ Shared<Piece> pieceOf(JsonNode& node) {
     if (const JsonNode placement = node["placement"]; placement.exists()) piece.placement = placementOf(placement);
     piece.holes = listOf(node["holes"], contourOf);
     piece.notches = listOf(node["notches"], notchOf);
+    piece.folds = listOf(node["folds"], foldOf);
     piece.internalLines = listOf(node["internalLines"], internalLineOf);
     piece.regions = listOf(node["regions"], regionOf);
     piece.unknown = node.unknown();

@@ -78,6 +78,21 @@ Json notchJson(const Notch& notch) {
     return json;
 }
 
+Json borderPointJson(const BorderPoint& place) {
+    Json json;
+    return json.set("edge", place.edge.value).set("position", place.position);
+}
+
+Json foldJson(const Fold& fold) {
+    Json json;
+    json.set("id", fold.id.value).set("name", fold.name);
+    json.set("from", borderPointJson(fold.ends[0])).set("to", borderPointJson(fold.ends[1]));
+    if (!fold.between.empty()) json.set("between", points(fold.between));
+    json.set("foldAngleDegrees", degrees(fold.angle)).set("stiffnessFactor", fold.stiffnessFactor);
+    setUnknown(json, fold.unknown);
+    return json;
+}
+
 Json internalLineJson(const InternalLine& line) {
     Json json;
     json.set("name", line.name).set("points", points(line.points));
@@ -153,6 +168,7 @@ Json pieceJson(const Shared<Piece>& shared) {
     if (!piece.mirror) setContour(json, piece.outline);
     setList(json, "holes", piece.holes, holeJson);
     setList(json, "notches", piece.notches, notchJson);
+    setList(json, "folds", piece.folds, foldJson);
     setList(json, "internalLines", piece.internalLines, internalLineJson);
     setList(json, "regions", piece.regions, regionJson);
     setUnknown(json, piece.unknown);

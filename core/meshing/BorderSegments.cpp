@@ -19,6 +19,10 @@ void BorderSegments::assign(const BoundaryNodes& boundary, const IntegerLines& l
             const int a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
             segments_.push_back({boundary.grid[at(a)], boundary.grid[at(b)], a, b});
         }
+    for (const auto& fold : boundary.folds) // what enters the inside across a fold has left it there
+        for (std::size_t i = 0; i + 1 < fold.size(); ++i)
+            for (const auto& [a, b] : {std::pair(fold[i], fold[i + 1]), std::pair(fold[i + 1], fold[i])})
+                segments_.push_back({boundary.grid[at(a)], boundary.grid[at(b)], a, b, true});
     sortIntoRows(lines);
 }
 
@@ -26,7 +30,7 @@ void BorderSegments::assign(const std::vector<std::vector<GridPoint>>& rings, co
     segments_.clear();
     for (const auto& ring : rings)
         for (std::size_t i = 0; i < ring.size(); ++i)
-            segments_.push_back({ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], 0, 0});
+            segments_.push_back({ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], 0, 0, false});
     sortIntoRows(lines);
 }
 

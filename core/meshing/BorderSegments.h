@@ -12,9 +12,11 @@ namespace toile::meshing {
 struct BorderSegment {
     GridPoint a, b;
     int nodeA = 0, nodeB = 0;
+    bool isFold = false; ///< inside on its right as well
 };
 
-/// The sides of closed rings, and which of them each row of main cells meets. Buffers are kept between calls.
+/// The sides of closed rings, and of folds both ways, and which of them each row of main cells meets. Buffers are kept
+/// between calls.
 class BorderSegments {
 public:
     void assign(const BoundaryNodes& boundary, const IntegerLines& lines);

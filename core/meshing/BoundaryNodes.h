@@ -23,6 +23,7 @@ struct BoundaryNodes {
     std::vector<std::vector<EdgeNodes>> loops;    ///< [loop][edge]
     std::vector<std::vector<int>> rings;          ///< closed, the piece on the left
     std::vector<std::vector<BoundarySpot>> spots; ///< of the segment that starts at each ring node
+    std::vector<std::vector<int>> folds;          ///< from border to border; their inner nodes come behind the border's
     friend bool operator==(const BoundaryNodes&, const BoundaryNodes&) = default;
 };
 

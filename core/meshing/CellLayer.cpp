@@ -40,11 +40,12 @@ void CellCollector::run(const BoundaryNodes& boundary, const Lattice& lattice, c
     for (int row = 0; row < lattice.rows(); ++row) collectRow(row);
     if (!lattice.isUniform()) collectMixed();
     addBorderWalls();
+    addFoldWalls();
     addFreeNodes();
 }
 
 void CellCollector::listBorder() {
-    after_.resize(at(borderCount_));
+    after_.assign(at(borderCount_), -1);
     covered_.assign(at(borderCount_), 0);
     for (const auto& ring : boundary_->rings)
         for (std::size_t i = 0; i < ring.size(); ++i) after_[at(ring[i])] = ring[i + 1 < ring.size() ? i + 1 : 0];
@@ -214,6 +215,30 @@ void CellCollector::addBorderWalls() {
         for (const int node : ring)
             if (!covered_[at(node)])
                 layer_->walls.push_back({layer_->addToStrip(node, false), layer_->addToStrip(after_[at(node)], false)});
+}
+
+/// Both ways, but for sides of rectangles: those have their walls, if they need any.
+void CellCollector::addFoldWalls() {
+    if (boundary_->folds.empty()) return;
+    latticeNode_.assign(at(borderCount_), -1);
+    for (const auto& [node, latticeNode] : fill_->aligned) latticeNode_[at(node)] = latticeNode;
+    for (const auto& fold : boundary_->folds)
+        for (std::size_t i = 0; i + 1 < fold.size(); ++i) {
+            if (isSideOfCell(latticeNode_[at(fold[i])], latticeNode_[at(fold[i + 1])])) continue;
+            const int a = layer_->addToStrip(fold[i], false), b = layer_->addToStrip(fold[i + 1], false);
+            layer_->walls.push_back({a, b});
+            layer_->walls.push_back({b, a});
+        }
+}
+
+/// Folds are aligned on uniform lattices alone.
+bool CellCollector::isSideOfCell(int latticeFrom, int latticeTo) const {
+    if (!lattice_->isUniform() || latticeFrom < 0 || latticeTo < 0) return false;
+    const int low = std::min(latticeFrom, latticeTo), step = std::max(latticeFrom, latticeTo) - low;
+    const int width = lattice_->columns() + 1, column = low % width, row = low / width;
+    const auto isFilled = [&](int c, int r) { return fill_->filled[at(lattice_->wholeCell(c, r))] != 0; };
+    if (step == 1 && column + 1 < width) return isFilled(column, row) || isFilled(column, row - 1);
+    return step == width && (isFilled(column, row) || isFilled(column - 1, row));
 }
 
 /// Nodes that lie neither on cells nor on walls.

@@ -69,6 +69,8 @@ private:
     void appendBetween(bool horizontal, int column, int row, int part, int parts);
     void addMixedWalls();
     void addBorderWalls();
+    void addFoldWalls();
+    [[nodiscard]] bool isSideOfCell(int latticeFrom, int latticeTo) const;
     void addFreeNodes();
     void addSide(int from, int to);
     [[nodiscard]] bool isFilled(int column, int row, int a, int b, int u) const;
@@ -79,11 +81,12 @@ private:
     const GridFill* fill_ = nullptr;
     CellLayer* layer_ = nullptr;
     int borderCount_ = 0;
-    std::vector<int> after_;     ///< of each border node in its ring
-    std::vector<char> covered_;  ///< of each border node: the segment from it on is the side of a cell
-    std::vector<HalfEdge> open_; ///< sides of mixed cells without a twin of the same size
-    std::vector<char> held_;     ///< of each node: on a cell in or beside a divided one
-    std::vector<int> full_;      ///< of each main cell (Lattice::wholeCell): its u if it is divided and filled, else 0
+    std::vector<int> after_;       ///< of each border node in its ring; −1 inside a fold
+    std::vector<char> covered_;    ///< of each border node: the segment from it on is the side of a cell
+    std::vector<int> latticeNode_; ///< of each border node: which it is, −1 = none; listed where there are folds
+    std::vector<HalfEdge> open_;   ///< sides of mixed cells without a twin of the same size
+    std::vector<char> held_;       ///< of each node: on a cell in or beside a divided one
+    std::vector<int> full_; ///< of each main cell (Lattice::wholeCell): its u if it is divided and filled, else 0
     std::vector<int> rowNodes_, nextRowNodes_; ///< of a main cell
 };
 

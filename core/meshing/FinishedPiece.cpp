@@ -38,6 +38,9 @@ void PieceFinisher::run(const PieceFrame& frame, const BoundaryNodes& boundary, 
     for (auto& loop : mesh.loops)
         for (EdgeNodes& edge : loop)
             for (EdgeNode& node : edge) node.node = borderNumbers_[at(node.node)];
+    mesh.folds = boundary.folds;
+    for (auto& fold : mesh.folds)
+        for (int& node : fold) node = borderNumbers_[at(node)];
 }
 
 void PieceFinisher::listHanging(const NodePlaces& places) {

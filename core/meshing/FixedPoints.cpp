@@ -46,6 +46,10 @@ FixedPoints ownPoints(const MeshInput& input, const std::vector<PieceBoundary>& 
                 const EdgeArc& arc = boundaries[p].loops[at(loop)].edges[e];
                 if (arc.collapsed) continue;
                 for (const double notch : loopOf(input.pieces[p], loop)[e].notches) addPoint(own, notch, arc.length);
+                for (const FoldInput& fold : input.pieces[p].folds)
+                    for (const FoldEndInput& end : fold.ends)
+                        if (end.loop == loop && end.edge == static_cast<int>(e))
+                            addPoint(own, end.fraction, arc.length);
             }
         }
     }

@@ -50,6 +50,7 @@ struct PieceMesh {
     std::vector<Triangle> triangles;
     std::vector<SlaveNode> slaves;
     std::vector<std::vector<EdgeNodes>> loops; ///< [loop][edge]; loop 0 = outline
+    std::vector<std::vector<int>> folds;       ///< the nodes along each fold, from its first end to its last
     std::vector<std::array<int, 3>> display;   ///< triangles over all nodes without cracks at region joints
     friend bool operator==(const PieceMesh&, const PieceMesh&) = default;
 };
@@ -75,6 +76,14 @@ struct RegionReport {
     friend bool operator==(const RegionReport&, const RegionReport&) = default;
 };
 
+struct FoldReport {
+    std::string label;
+    int nodes = 0;
+    double length = 0;    ///< through the nodes [m]
+    double deviation = 0; ///< of the drawn line from the line through the nodes [m]
+    friend bool operator==(const FoldReport&, const FoldReport&) = default;
+};
+
 /// Quality of one piece; see docs/meshing.md.
 struct PieceReport {
     std::string label;
@@ -92,6 +101,7 @@ struct PieceReport {
     double seconds = 0; ///< of meshing, without the measuring for this report
     std::size_t bytes = 0;
     std::vector<RegionReport> regions;
+    std::vector<FoldReport> folds;
     friend bool operator==(const PieceReport&, const PieceReport&) = default;
 };
 

@@ -68,6 +68,13 @@ std::pmr::vector<LineWish> grainLines(const PieceInput& piece, const PieceFrame&
             if (std::abs(along(b - a, axis)) > 2 * frame.unit || length <= 4 * frame.unit) continue;
             lines.push_back({0.5 * along(a + b, axis), length});
         }
+    for (const FoldInput& fold : piece.folds)
+        for (std::size_t i = 0; i + 1 < fold.points.size(); ++i) {
+            const Vec2 a = frame.frameOf(fold.points[i]), b = frame.frameOf(fold.points[i + 1]);
+            const double length = std::abs(along(b - a, 1 - axis));
+            if (std::abs(along(b - a, axis)) <= 2 * frame.unit && length > 4 * frame.unit)
+                lines.push_back({0.5 * along(a + b, axis), length});
+        }
     join(lines, 2 * frame.unit);
     std::sort(lines.begin(), lines.end(), [&](const LineWish& a, const LineWish& b) {
         return std::abs(a.weight - b.weight) > frame.unit ? a.weight > b.weight : a.at < b.at;

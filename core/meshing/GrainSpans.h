@@ -61,7 +61,7 @@ struct LineWish {
     double weight = 0; ///< length of border that gains by it [m]
 };
 
-/// Coordinates of the grain-parallel straight edges that run along the lines of an axis, with their lengths;
+/// Coordinates of the grain-parallel straight edges and folds that run along the lines of an axis, with their lengths;
 /// equal ones are joined, the longest first.
 [[nodiscard]] std::pmr::vector<LineWish> grainLines(const PieceInput& piece, const PieceFrame& frame, int axis,
                                                     Arena& arena);

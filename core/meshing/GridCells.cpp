@@ -24,7 +24,6 @@ GridFiller::Corners GridFiller::cornersOf(int column, int row, int a, int b) con
 void GridFiller::fillCells() {
     std::vector<char>& filled = fill_->filled;
     filled.assign(at(lattice_->cellCount()) + GridFill::margin, 0);
-    listNeighbours();
     const int columns = lattice_->columns();
     for (int row = 0; row < lattice_->rows(); ++row) {
         const char* low = fill_->inner.data() + lattice_->corner(0, row);
@@ -55,9 +54,10 @@ void GridFiller::fillDivided(int main) {
 }
 
 void GridFiller::listNeighbours() {
-    before_.resize(boundary_->points.size());
-    after_.resize(boundary_->points.size());
+    before_.assign(boundary_->points.size(), -1);
+    after_.assign(boundary_->points.size(), -1);
     for (const BorderSegment& segment : segments_->all()) {
+        if (segment.isFold) continue;
         after_[at(segment.nodeA)] = segment.nodeB;
         before_[at(segment.nodeB)] = segment.nodeA;
     }
@@ -83,8 +83,12 @@ void GridFiller::decide(int cell, const Corners& corners) {
         if (fill_->node[at(corner)] < 0) return; // strictly inside, and nothing comes between
     const auto node = [&](std::size_t i) { return at(fill_->node[at(corners[i])]); };
     const auto grid = [&](int border) { return boundary_->grid[at(border)]; };
-    fill_->filled[at(cell)] =
-        insideCorner(grid(before_[node(3)]), boundary_->grid[node(3)], grid(after_[node(3)]), boundary_->grid[node(1)]);
+    for (const std::size_t i : {3, 2, 1, 0}) {
+        if (before_[node(i)] < 0) continue; // inside a fold, where all round is the piece
+        fill_->filled[at(cell)] = insideCorner(grid(before_[node(i)]), boundary_->grid[node(i)], grid(after_[node(i)]),
+                                               boundary_->grid[node((i + 2) % 4)]);
+        return;
+    }
 }
 
 /// Cells that hold or touch a border segment in any way but by sharing a side or a corner are not filled.
@@ -150,7 +154,7 @@ bool GridFiller::disturbs(const BorderSegment& segment, const Corners& corners) 
     };
     const int ca = cornerAt(segment.a), cb = cornerAt(segment.b);
     if ((ca < 0 && holds(segment.a)) || (cb < 0 && holds(segment.b))) return true;
-    if (ca >= 0 && cb >= 0) return (ca + cb) % 2 == 0; // a diagonal
+    if (ca >= 0 && cb >= 0) return (ca + cb) % 2 == 0 || (segment.isFold && !lattice_->isUniform()); // a diagonal
     for (int i = 0; i < 4; ++i) {
         if (i != ca && i != cb && onSegment(segment.a, segment.b, quad[at(i)])) return true;
         const int j = (i + 1) % 4;

@@ -49,6 +49,7 @@ void GridFiller::run(const PieceFrame& frame, const BoundaryNodes& boundary, Bor
         placeDivided();
         markDivided();
     }
+    listNeighbours();
     alignBoundary();
     clearNearBorder();
     for (const auto& [node, latticeNode] : fill.aligned) fill.inner[at(latticeNode)] = 1; // used, for the cells
@@ -133,6 +134,7 @@ void GridFiller::alignBoundary() {
     };
     fill_->aligned.clear();
     for (std::size_t i = 0; i < boundary_->grid.size(); ++i) {
+        if (before_[i] < 0 && !lattice_->isUniform()) continue; // beside divided cells a fold has triangles
         const GridPoint p = boundary_->grid[i];
         const int left = lines.x.interval(std::int64_t{p.x} - sameNode);
         const int right = lines.x.interval(std::int64_t{p.x} + sameNode);

@@ -72,7 +72,7 @@ private:
     std::vector<int> coarsest_;                ///< smallest u of the main cells that have each node beyond the corners
     std::vector<double> widthAt_, heightAt_;   ///< the wider of the cells beside each main line [units]
     std::vector<double> perWidth_, perHeight_; ///< one over them
-    std::vector<int> before_, after_;          ///< of each border node in its ring
+    std::vector<int> before_, after_;          ///< of each border node in its ring; −1 inside a fold
     std::vector<int> rowNodes_, nextRowNodes_; ///< of a main cell
 };
 

@@ -45,6 +45,21 @@ struct RegionInput {
     friend bool operator==(const RegionInput&, const RegionInput&) = default;
 };
 
+/// A place on the border.
+struct FoldEndInput {
+    int loop = 0, edge = 0;
+    double fraction = 0; ///< of the edge's arc length
+    friend bool operator==(const FoldEndInput&, const FoldEndInput&) = default;
+};
+
+/// A line inside a piece, from border to border, that the mesh has nodes and sides along.
+struct FoldInput {
+    std::string label;
+    std::vector<Vec2> points; ///< the first and the last where the ends are
+    std::array<FoldEndInput, 2> ends;
+    friend bool operator==(const FoldInput&, const FoldInput&) = default;
+};
+
 struct PieceInput {
     std::string label;
     BoundaryLoop outline;            ///< counter-clockwise
@@ -52,6 +67,7 @@ struct PieceInput {
     double grain = 0;                ///< direction of warp from +y, counter-clockwise [rad]
     double spacing = 0.02;           ///< ε_m [m]
     std::vector<RegionInput> regions;
+    std::vector<FoldInput> folds;
     LineRule rule = LineRule::regular;
     RegionBorder border = RegionBorder::snap;
     bool mirrored = false; ///< mesh the mirror image (x ↦ −x of the grain frame) and reflect back, so that a pair of

@@ -3,6 +3,7 @@
 
 #include "core/meshing/BorderSpacing.h"
 #include "core/meshing/Crossings.h"
+#include "core/meshing/FoldNodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -317,6 +318,7 @@ Result<void> checkBoundary(const PieceInput& piece, Arena& arena, PieceBoundary&
     for (std::size_t loop = 0; loop < contours.size(); ++loop)
         if (doubledArea(contours[loop].points) == 0) return refuse(nameOf(piece), "The piece has no area.");
     if (auto error = nestingError(piece, contours)) return tl::unexpected(*error);
+    if (auto folds = checkFolds(piece, boundary); !folds) return folds;
     boundary.area = area * boundary.frame.unit * boundary.frame.unit;
     if (auto error = sizeError(piece, boundary)) return tl::unexpected(*error);
     std::pmr::vector<Vec2> flat(&arena);

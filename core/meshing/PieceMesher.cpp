@@ -2,6 +2,7 @@
 #include "core/meshing/PieceMesher.h"
 
 #include "core/meshing/BorderSpacing.h"
+#include "core/meshing/FoldNodes.h"
 #include "core/meshing/MainLines.h"
 #include "core/meshing/Quality.h"
 
@@ -39,6 +40,21 @@ Result<void> everyTriangleHasArea(const PieceInput& piece, const PieceFrame& fra
     return {};
 }
 
+FoldReport reportOnFold(const FoldInput& fold, const PieceMesh& mesh, const std::vector<int>& nodes) {
+    FoldReport report{fold.label, static_cast<int>(nodes.size()), 0, 0};
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+        report.length += distance(mesh.nodes[at(nodes[i])], mesh.nodes[at(nodes[i + 1])]);
+    for (const Vec2 drawn : fold.points) {
+        double nearest = distance(drawn, mesh.nodes[at(nodes.front())]);
+        for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+            nearest =
+                std::min(nearest, distance(drawn, geometry::closestOnSegment(mesh.nodes[at(nodes[i])],
+                                                                             mesh.nodes[at(nodes[i + 1])], drawn)));
+        report.deviation = std::max(report.deviation, nearest);
+    }
+    return report;
+}
+
 /// What only the input can say of a mesh.
 void judgeAgainstInput(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes,
                        const PieceMesh& mesh, PieceReport& report) {
@@ -66,13 +82,13 @@ Result<void> LatticeLayer::run(const PieceInput& piece, const PieceBoundary& bou
     return affordable(piece, laid.lattice);
 }
 
-Result<void> PieceMesher::run(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes,
+Result<void> PieceMesher::run(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& border,
                               const std::vector<SpacingSeed>& seeds, const Lattice& laid, PieceMesh& mesh) {
     const PieceFrame& frame = boundary.frame;
     const bool literal = piece.rule == LineRule::paper;
     lattice_ = laid;
     fill_.lines.assign(frame, lattice_);
-    segments_.assign(nodes, fill_.lines);
+    segments_.assign(border, fill_.lines);
     markActiveCells(fill_.lines, segments_, lattice_);
     if (!literal) {
         seedFromBorder(seeds, lattice_);
@@ -80,6 +96,12 @@ Result<void> PieceMesher::run(const PieceInput& piece, const PieceBoundary& boun
     }
     if (auto fits = affordable(piece, lattice_); !fits) return tl::unexpected(fits.error());
     lattice_.number();
+    if (!piece.folds.empty()) {
+        folded_ = border;
+        if (auto added = addFoldNodes(piece, boundary, lattice_, folded_); !added) return added;
+        segments_.assign(folded_, fill_.lines);
+    }
+    const BoundaryNodes& nodes = piece.folds.empty() ? border : folded_;
     filler_.run(frame, nodes, segments_, lattice_, literal ? paperClearance : clearance, fill_);
     const NodePlaces places(frame, nodes, lattice_, fill_, borderPlaces_);
     improver_.run(frame, nodes, lattice_, places, fill_, layer_, strip_,
@@ -96,6 +118,8 @@ void reportOn(const PieceInput& piece, const PieceBoundary& boundary, const Boun
     counts.regions = std::move(report.regions);
     report = std::move(counts);
     report.label = piece.label;
+    for (std::size_t fold = 0; fold < piece.folds.size(); ++fold)
+        report.folds.push_back(reportOnFold(piece.folds[fold], mesh, mesh.folds[fold]));
     if (!judged) return;
     judge(mesh, report);
     judgeAgainstInput(piece, boundary, nodes, mesh, report);

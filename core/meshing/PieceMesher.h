@@ -35,7 +35,7 @@ private:
 class PieceMesher {
 public:
     /// From frozen border nodes to the finished mesh, which is overwritten.
-    [[nodiscard]] Result<void> run(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& nodes,
+    [[nodiscard]] Result<void> run(const PieceInput& piece, const PieceBoundary& boundary, const BoundaryNodes& border,
                                    const std::vector<SpacingSeed>& seeds, const Lattice& laid, PieceMesh& mesh);
 
 private:
@@ -45,6 +45,7 @@ private:
     GridFiller filler_;
     GridFill fill_;
     CellLayer layer_;
+    BoundaryNodes folded_; ///< the border's nodes with those of folds
     std::vector<Vec2> borderPlaces_;
     StripImprover improver_;
     Strip strip_;

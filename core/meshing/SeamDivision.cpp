@@ -60,11 +60,19 @@ double turnBetween(const Curve& in, const Curve& out) {
 
 /// Marks which ends of edges of a loop are no nodes: those inside smooth runs of short free lines, but for one per
 /// spacing.
-void markPassedEnds(const BoundaryLoop& edges, const LoopBoundary& arcs, std::span<const char> sewn, double spacing,
+void markPassedEnds(const PieceInput& piece, int loop, const LoopBoundary& arcs, std::span<const char> sewn,
                     std::span<char> passed) {
+    const BoundaryLoop& edges = loopOf(piece, loop);
+    const double spacing = piece.spacing;
     const std::size_t n = edges.size();
+    const auto isFoldedAt = [&](std::size_t e) {
+        for (const FoldInput& fold : piece.folds)
+            for (const FoldEndInput& end : fold.ends)
+                if (end.loop == loop && at(end.edge) == e) return true;
+        return false;
+    };
     const auto isShort = [&](std::size_t e) {
-        return !sewn[e] && !arcs.edges[e].collapsed && edges[e].notches.empty() &&
+        return !sewn[e] && !isFoldedAt(e) && !arcs.edges[e].collapsed && edges[e].notches.empty() &&
                arcs.edges[e].length < shortEdge * spacing &&
                std::holds_alternative<geometry::LineShape>(edges[e].curve.shape);
     };
@@ -122,7 +130,7 @@ Result<BoundaryDivision> BoundaryDivision::create(const MeshInput& input, const 
             const BoundaryLoop& edges = loopOf(input.pieces[p], loop);
             auto& passed = division.passed_[p].emplace_back(edges.size(), char{0});
             if (input.pieces[p].rule == LineRule::paper) continue; // a node at every authored vertex
-            markPassedEnds(edges, boundaries[p].loops[at(loop)], sewn[at(loop)], input.pieces[p].spacing, passed);
+            markPassedEnds(input.pieces[p], loop, boundaries[p].loops[at(loop)], sewn[at(loop)], passed);
         }
     }
     for (std::size_t s = 0; s < seams.size(); ++s) {

@@ -163,6 +163,7 @@ void StripImprover::matchNewSides(int firstSide) {
     std::sort(openSides_.begin(), openSides_.end());
     for (int side = firstSide; side < static_cast<int>(sides.start.size()); ++side) {
         if (sides.twinOf(side) >= 0) continue;
+        if (folds_.has(nodeOf(sides.startOf(side)), nodeOf(sides.endOf(side)))) continue;
         const auto twin = std::lower_bound(openSides_.begin(), openSides_.end(),
                                            std::array{sides.endOf(side), sides.startOf(side), 0});
         if (twin == openSides_.end() || (*twin)[0] != sides.endOf(side) || (*twin)[1] != sides.startOf(side)) continue;

@@ -42,7 +42,8 @@ void StripImprover::run(const PieceFrame& frame, const BoundaryNodes& boundary, 
     moved_.clear();
     dropped_.clear();
     added_.clear();
-    after_.resize(boundary.points.size());
+    after_.assign(boundary.points.size(), -1);
+    folds_.assign(boundary);
     for (const auto& ring : boundary.rings)
         for (std::size_t i = 0; i < ring.size(); ++i) after_[at(ring[i])] = ring[i + 1 < ring.size() ? i + 1 : 0];
     collect();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/meshing/DelaunayFlips.h"
+#include "core/meshing/FoldNodes.h"
 #include "core/meshing/Strip.h"
 
 namespace toile::meshing {
@@ -76,9 +77,10 @@ private:
     StripSweep sweep_;
     DelaunayFlips flips_;
     Grade grade_;
-    std::vector<double> sharpness_;                  ///< of each triangle
-    std::vector<int> bad_;                           ///< triangles below the wanted angle
-    std::vector<int> after_;                         ///< of each border node in its ring
+    std::vector<double> sharpness_; ///< of each triangle
+    std::vector<int> bad_;          ///< triangles below the wanted angle
+    std::vector<int> after_;        ///< of each border node in its ring; −1 inside a fold
+    FoldSides folds_;
     std::vector<std::pair<int, GridPoint>> moved_;   ///< nodes that were moved, and where to
     std::vector<int> dropped_;                       ///< cells given up, in order
     std::vector<int> added_;                         ///< lattice nodes taken into use

@@ -81,7 +81,8 @@ void StripSweep::collectStarts(int vertex) {
         starts_.push_back(walls_[index(wall)]);
     if (starts_.size() > 1)
         std::sort(starts_.begin(), starts_.end(), [&](const Crossed& a, const Crossed& b) {
-            return orientation(at(vertex), at(a.right), at(b.right)) > 0;
+            const std::int64_t turn = orientation(at(vertex), at(a.right), at(b.right));
+            return turn != 0 ? turn > 0 : a.insideAbove < b.insideAbove; // of a fold's, first that of the strip below
         });
 }
 

@@ -15,9 +15,9 @@ struct Wall {
 };
 
 /// Triangulates what lies between walls. These are the whole border of it: closed, meeting at common end points only;
-/// points without walls lie inside. Points are swept over once, each joined to what is visible of those before it
-/// (Hertel & Mehlhorn 1983): some fifty instructions for each, and as good a start as any for Delaunay flips. Buffers
-/// are kept between calls.
+/// points without walls lie inside. A fold is two walls on one segment, one each way. Points are swept over once, each
+/// joined to what is visible of those before it (Hertel & Mehlhorn 1983): some fifty instructions for each, and as good
+/// a start as any for Delaunay flips. Buffers are kept between calls.
 class StripSweep {
 public:
     void run(std::span<const GridPoint> points, std::span<const Wall> walls, TriangleSides& sides);

@@ -32,6 +32,8 @@ private:
 bool checkContours(const Piece& piece, Problems& problems);
 /// Regions of a piece whose contours are sound.
 void checkRegions(const Piece& piece, Problems& problems);
+/// Folds of a piece whose contours are sound.
+void checkFolds(const Piece& piece, Problems& problems);
 /// Seams, one by one and against each other. Lengths and directions are not looked at where a contour is unsound.
 void checkSeams(const Pattern& pattern, const std::set<PieceId>& unsound, const SeamTolerance& tolerance,
                 std::vector<Problem>& problems);

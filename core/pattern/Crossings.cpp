@@ -6,7 +6,20 @@
 namespace toile::pattern {
 namespace {
 
-/// A common point of two closed segments.
+bool follow(const BorderSegment& p, const BorderSegment& q, const std::vector<std::size_t>& loopLengths) {
+    if (p.loop != q.loop) return false;
+    const std::size_t n = loopLengths[static_cast<std::size_t>(p.loop)];
+    return (p.order + 1) % n == q.order || (q.order + 1) % n == p.order;
+}
+
+/// Two segments in a row may share their joint, but not run back over each other.
+bool foldBack(const BorderSegment& p, const BorderSegment& q) {
+    const Vec2 d = p.b - p.a, e = q.b - q.a;
+    return cross(d, e) == 0 && dot(d, e) < 0;
+}
+
+} // namespace
+
 std::optional<Vec2> meeting(const BorderSegment& p, const BorderSegment& q) {
     const Vec2 d = p.b - p.a, e = q.b - q.a;
     const double denominator = cross(d, e);
@@ -22,20 +35,6 @@ std::optional<Vec2> meeting(const BorderSegment& p, const BorderSegment& q) {
         if (dot(end - q.a, end - q.b) <= 0) return end;
     return std::nullopt;
 }
-
-bool follow(const BorderSegment& p, const BorderSegment& q, const std::vector<std::size_t>& loopLengths) {
-    if (p.loop != q.loop) return false;
-    const std::size_t n = loopLengths[static_cast<std::size_t>(p.loop)];
-    return (p.order + 1) % n == q.order || (q.order + 1) % n == p.order;
-}
-
-/// Two segments in a row may share their joint, but not run back over each other.
-bool foldBack(const BorderSegment& p, const BorderSegment& q) {
-    const Vec2 d = p.b - p.a, e = q.b - q.a;
-    return cross(d, e) == 0 && dot(d, e) < 0;
-}
-
-} // namespace
 
 std::optional<Crossing> firstCrossing(std::vector<BorderSegment> segments,
                                       const std::vector<std::size_t>& loopLengths) {

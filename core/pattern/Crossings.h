@@ -20,6 +20,9 @@ struct Crossing {
     Vec2 point;
 };
 
+/// A common point of two closed segments.
+[[nodiscard]] std::optional<Vec2> meeting(const BorderSegment& p, const BorderSegment& q);
+
 /// A point where two segments that do not follow each other along a loop cross or touch; the first found by a sweep
 /// from left to right. `loopLengths[loop]` is the number of segments of a loop.
 [[nodiscard]] std::optional<Crossing> firstCrossing(std::vector<BorderSegment> segments,

@@ -43,12 +43,15 @@ void mergeNeighbours(std::vector<SeamPart>& parts, const EdgeId& edge) {
     }
 }
 
+/// Calls change(edge, position) for the places that notches and folds of a piece name.
 template <class Change>
-void changeNotches(Pattern& pattern, const PieceId& id, Change change) {
+void changePlaces(Pattern& pattern, const PieceId& id, Change change) {
     for (auto& piece : pattern.pieces) {
         if (piece->id != id) continue;
         Piece next = *piece;
-        for (Notch& notch : next.notches) change(notch);
+        for (Notch& notch : next.notches) change(notch.edge, notch.position);
+        for (Fold& fold : next.folds)
+            for (BorderPoint& end : fold.ends) change(end.edge, end.position);
         piece = std::move(next);
     }
 }
@@ -74,12 +77,12 @@ void rewriteAfterSplit(Pattern& pattern, const PieceId& piece, const EdgeId& edg
             }
             side = std::move(parts);
         }
-    changeNotches(pattern, piece, [&](Notch& notch) {
-        if (notch.edge != edge) return;
-        if (notch.position <= fraction) notch.position /= fraction;
+    changePlaces(pattern, piece, [&](EdgeId& at, double& position) {
+        if (at != edge) return;
+        if (position <= fraction) position /= fraction;
         else {
-            notch.edge = after;
-            notch.position = (notch.position - fraction) / (1 - fraction);
+            at = after;
+            position = (position - fraction) / (1 - fraction);
         }
     });
 }
@@ -98,11 +101,11 @@ void rewriteAfterJoin(Pattern& pattern, const PieceId& piece, const EdgeId& edge
             }
             mergeNeighbours(side, edge);
         }
-    changeNotches(pattern, piece, [&](Notch& notch) {
-        if (notch.edge == edge) notch.position *= fraction;
-        else if (notch.edge == after) {
-            notch.edge = edge;
-            notch.position = fraction + notch.position * (1 - fraction);
+    changePlaces(pattern, piece, [&](EdgeId& at, double& position) {
+        if (at == edge) position *= fraction;
+        else if (at == after) {
+            at = edge;
+            position = fraction + position * (1 - fraction);
         }
     });
 }

@@ -5,8 +5,8 @@
 
 namespace toile::pattern {
 
-// Seams and notches name places by fractions of an edge. When an edge is split or joined they are rewritten, so that
-// they stay where they are.
+// Seams, notches and folds name places by fractions of an edge. When an edge is split or joined they are rewritten, so
+// that they stay where they are.
 
 /// `edge` was split at the fraction; its second part is called `after`.
 void rewriteAfterSplit(Pattern& pattern, const PieceId& piece, const EdgeId& edge, const EdgeId& after,

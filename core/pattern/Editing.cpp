@@ -12,6 +12,9 @@ Place placeOf(const Piece& piece) {
 Place placeOf(const Seam& seam) {
     return {.object = fmt::format("seam \"{}\"", seam.name)};
 }
+Place placeOf(const Piece& piece, const Fold& fold) {
+    return {.object = fmt::format("piece \"{}\", fold \"{}\"", piece.name, fold.name)};
+}
 
 Result<Pattern> changed(const Pattern& pattern, const PieceId& id, const std::function<Result<void>(Piece&)>& change) {
     const auto found = std::ranges::find_if(pattern.pieces, [&](const auto& piece) { return piece->id == id; });

@@ -17,6 +17,7 @@ struct Edited {
 /// The user's words for a thing, for messages.
 [[nodiscard]] Place placeOf(const Piece& piece);
 [[nodiscard]] Place placeOf(const Seam& seam);
+[[nodiscard]] Place placeOf(const Piece& piece, const Fold& fold);
 
 /// The pattern with one piece changed. Error when the piece is unknown, or when the change returns one.
 [[nodiscard]] Result<Pattern> changed(const Pattern& pattern, const PieceId& piece,

@@ -29,6 +29,7 @@ int firstFreeNumber(const Pattern& pattern) {
         noteContour(piece->outline);
         for (const Contour& hole : piece->holes) noteContour(hole);
         for (const Region& region : piece->regions) note(region.id);
+        for (const Fold& fold : piece->folds) note(fold.id);
     }
     for (const Seam& seam : pattern.seams) note(seam.id);
     for (const auto& fabric : pattern.fabrics) note(fabric->id);

@@ -13,7 +13,7 @@ namespace toile::pattern {
 struct IdSource {
     int next = 1;
 
-    /// "p" piece, "v" vertex, "e" edge, "r" region, "s" seam, "f" fabric, "n" pin, "t" tack, and the number.
+    /// "p" piece, "v" vertex, "e" edge, "r" region, "s" seam, "f" fabric, "n" pin, "t" tack, "l" fold, and the number.
     template <class IdType>
     [[nodiscard]] IdType take() {
         return IdType(letterOf<IdType>() + std::to_string(next++));
@@ -29,6 +29,7 @@ private:
         else if constexpr (std::is_same_v<IdType, SeamId>) return "s";
         else if constexpr (std::is_same_v<IdType, FabricId>) return "f";
         else if constexpr (std::is_same_v<IdType, TackId>) return "t";
+        else if constexpr (std::is_same_v<IdType, FoldId>) return "l";
         else {
             static_assert(std::is_same_v<IdType, PinId>);
             return "n";

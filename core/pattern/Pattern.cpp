@@ -102,6 +102,11 @@ Piece resolved(const Pattern& pattern, const Piece& piece) {
     }
     image.notches = source->notches;
     for (Notch& notch : image.notches) notch.position = 1 - notch.position;
+    image.folds = source->folds;
+    for (Fold& fold : image.folds) {
+        for (BorderPoint& end : fold.ends) end.position = 1 - end.position;
+        for (Vec2& p : fold.between) p = geometry::mirrored(p, a, b);
+    }
     image.internalLines = source->internalLines;
     for (InternalLine& line : image.internalLines)
         for (Vec2& p : line.points) p = geometry::mirrored(p, a, b);

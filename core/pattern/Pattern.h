@@ -28,6 +28,7 @@ struct RegionTag;
 struct SeamTag;
 struct PinTag;
 struct TackTag;
+struct FoldTag;
 using PieceId = Id<PieceTag>;
 using VertexId = Id<VertexTag>;
 using EdgeId = Id<EdgeTag>;
@@ -35,6 +36,7 @@ using RegionId = Id<RegionTag>;
 using SeamId = Id<SeamTag>;
 using PinId = Id<PinTag>;
 using TackId = Id<TackTag>;
+using FoldId = Id<FoldTag>;
 
 struct Vertex {
     VertexId id;
@@ -68,6 +70,25 @@ struct Notch {
     NotchKind kind = NotchKind::slit;
     bool isDouble = false; ///< the trade marks backs with two
     friend bool operator==(const Notch&, const Notch&) = default;
+};
+
+/// A place on a contour.
+struct BorderPoint {
+    EdgeId edge;
+    double position = 0.5; ///< fraction of the edge's arc length
+    friend bool operator==(const BorderPoint&, const BorderPoint&) = default;
+};
+
+/// A line from border to border along which the cloth is pressed.
+struct Fold {
+    FoldId id;
+    std::string name;
+    std::array<BorderPoint, 2> ends;
+    std::vector<Vec2> between;  ///< where it turns, from the first end to the second
+    double angle = 0;           ///< rest angle [rad]; 0 = flat, positive closes the right side
+    double stiffnessFactor = 1; ///< bending along the fold, of the cloth's [–]
+    Json unknown;               ///< keys of the file that we do not know; kept
+    friend bool operator==(const Fold&, const Fold&) = default;
 };
 
 /// Drawn, not cut.
@@ -106,12 +127,12 @@ struct BentLine {
     friend bool operator==(const BentLine&, const BentLine&) = default;
 };
 
-/// Rolls the flat piece round a line through its origin before it is placed; the right side faces outward.
+/// Rolls the flat piece round a line through its origin before it is placed; the right side faces outward, or inward.
 /// A point at distance s from that line, across `axis`, goes to (R·sin(s/R), R·(cos(s/R) − 1)) in the plane
 /// across the axis, the second coordinate along the right side's normal.
 struct Curl {
     Vec2 axis{0, 1};                ///< unit direction, in the piece, of the lines that stay straight
-    double radius = 1;              ///< R [m]
+    double radius = 1;              ///< R [m]; negative = the right side faces inward, as that of a turned-down collar
     std::optional<BentLine> bent{}; ///< absent = the middle of the roll is straight
     friend bool operator==(const Curl&, const Curl&) = default;
 };
@@ -149,6 +170,7 @@ struct Piece {
     double seamAllowance = 0.01; ///< [m]
     std::vector<Region> regions;
     std::vector<Notch> notches;
+    std::vector<Fold> folds;
     std::vector<InternalLine> internalLines;
     std::optional<Placement> placement;
     std::optional<MirrorOf> mirror;
@@ -231,8 +253,8 @@ struct Pattern {
 [[nodiscard]] const Seam* findSeam(const Pattern& pattern, const SeamId& id);
 [[nodiscard]] const Fabric* findFabric(const Pattern& pattern, const FabricId& id);
 
-/// The piece with its own geometry: a mirror piece gets its source's contour, notches, regions, internal lines and
-/// grain reflected, with the same ids; the contour again runs counter-clockwise, so edges run against the source's
+/// The piece with its own geometry: a mirror piece gets its source's contour, notches, folds, regions, internal lines
+/// and grain reflected, with the same ids; the contour again runs counter-clockwise, so edges run against the source's
 /// and fractions f of a source edge are 1 − f of the reflected one. Other pieces come back as they are.
 [[nodiscard]] Piece resolved(const Pattern& pattern, const Piece& piece);
 

@@ -32,6 +32,7 @@ void checkIdsWithin(const Piece& piece, Problems& problems) {
     Unique<VertexId> vertices;
     Unique<EdgeId> edges;
     Unique<RegionId> regions;
+    Unique<FoldId> folds;
     for (int loop = 0; loop <= static_cast<int>(piece.holes.size()); ++loop) {
         const Contour& contour = loopOf(piece, loop);
         const std::string at = loop == 0 ? "" : fmt::format("holes[{}].", loop - 1);
@@ -42,6 +43,8 @@ void checkIdsWithin(const Piece& piece, Problems& problems) {
     }
     for (std::size_t i = 0; i < piece.regions.size(); ++i)
         regions.check(piece.regions[i].id, fmt::format("regions[{}].", i), problems);
+    for (std::size_t i = 0; i < piece.folds.size(); ++i)
+        folds.check(piece.folds[i].id, fmt::format("folds[{}].", i), problems);
 }
 
 void checkNumbers(const Pattern& pattern, const Piece& piece, Problems& problems) {
@@ -69,8 +72,8 @@ void checkPlacement(const Piece& piece, Problems& problems) {
         problems.error("placement.matrix", "A placement moves and turns a piece, but does not stretch or mirror it.");
     if (!piece.placement->curl) return;
     const Curl& curl = *piece.placement->curl;
-    if (!(curl.radius > 0 && std::isfinite(curl.radius)))
-        problems.error("placement.curl.radius", "The radius of a curl must be a positive length.");
+    if (!(std::abs(curl.radius) > 0 && std::isfinite(curl.radius)))
+        problems.error("placement.curl.radius", "The radius of a curl must be a length other than 0.");
     if (!(std::abs(geometry::length(curl.axis) - 1) < 1e-6))
         problems.error("placement.curl.axis", "The axis of a curl must be a unit direction.");
     if (curl.bent && !isLine(*curl.bent))
@@ -123,8 +126,10 @@ std::set<PieceId> checkPieces(const Pattern& pattern, std::vector<Problem>& all)
         checkIdsWithin(piece, problems);
         const bool sound = checkContours(piece, problems);
         checkNotches(piece, problems);
-        if (sound) checkRegions(piece, problems);
-        else unsound.insert(piece.id);
+        if (sound) {
+            checkRegions(piece, problems);
+            checkFolds(piece, problems);
+        } else unsound.insert(piece.id);
     }
     return unsound;
 }

@@ -290,12 +290,19 @@ Result<Pattern> addHole(const Pattern& pattern, const PieceId& piece, std::span<
 Result<Edited> deleteHole(const Pattern& pattern, const PieceId& piece, std::size_t hole) {
     std::vector<EdgeId> gone;
     std::vector<VertexId> goneVertices;
+    std::vector<Warning> unfolded;
+    const auto isGone = [&](const EdgeId& edge) { return std::ranges::find(gone, edge) != gone.end(); };
     auto next = changedShape(pattern, piece, [&](Piece& p) -> Result<void> {
         if (hole >= p.holes.size()) return fail(ErrorCode::notFound, "There is no such hole.", placeOf(p));
         for (const Edge& edge : p.holes[hole].edges) gone.push_back(edge.id);
         for (const Vertex& vertex : p.holes[hole].vertices) goneVertices.push_back(vertex.id);
         p.holes.erase(p.holes.begin() + static_cast<std::ptrdiff_t>(hole));
-        std::erase_if(p.notches, [&](const Notch& notch) { return std::ranges::find(gone, notch.edge) != gone.end(); });
+        std::erase_if(p.notches, [&](const Notch& notch) { return isGone(notch.edge); });
+        std::erase_if(p.folds, [&](const Fold& fold) {
+            const bool ends = std::ranges::any_of(fold.ends, [&](const BorderPoint& end) { return isGone(end.edge); });
+            if (ends) unfolded.push_back({toString(placeOf(p, fold)), "it is gone with the hole that it ended on."});
+            return ends;
+        });
         return {};
     });
     if (!next) return tl::unexpected<Error>(std::move(next).error());
@@ -303,6 +310,7 @@ Result<Edited> deleteHole(const Pattern& pattern, const PieceId& piece, std::siz
         return std::ranges::any_of(gone, [&](const EdgeId& edge) { return liesOn(pattern, part, piece, edge); });
     };
     Edited edited{*std::move(next), warnOfSeams(pattern, touches, "it is gone with the hole that it ran along.")};
+    edited.warnings.insert(edited.warnings.end(), unfolded.begin(), unfolded.end());
     std::erase_if(edited.pattern.seams, [&](const Seam& seam) {
         return std::ranges::any_of(seam.sides, [&](const auto& side) { return std::ranges::any_of(side, touches); });
     });

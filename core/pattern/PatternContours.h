@@ -47,7 +47,7 @@ enum class Handle { first, second };
 /// Cuts a hole; it is turned to run clockwise.
 [[nodiscard]] Result<Pattern> addHole(const Pattern& pattern, const PieceId& piece, std::span<const Vec2> points,
                                       IdSource& ids);
-/// Seams along the hole are dropped with a warning.
+/// Seams along the hole, and folds that end on it, are dropped with a warning.
 [[nodiscard]] Result<Edited> deleteHole(const Pattern& pattern, const PieceId& piece, std::size_t hole);
 
 [[nodiscard]] Result<Pattern> addNotch(const Pattern& pattern, const PieceId& piece, const Notch& notch);

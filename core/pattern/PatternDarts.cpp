@@ -31,6 +31,12 @@ Result<Mouth> mouthOf(const Piece& piece, const Dart& dart) {
         }))
         return fail(ErrorCode::invalidInput, "There is a notch in the mouth of the dart: take it out first.",
                     placeOf(piece));
+    if (std::ranges::any_of(piece.folds, [&](const Fold& fold) {
+            return std::ranges::any_of(fold.ends, [&](const BorderPoint& end) {
+                return end.edge == dart.edge && end.position > mouth.from && end.position < mouth.to;
+            });
+        }))
+        return fail(ErrorCode::invalidInput, "A fold ends in the mouth of the dart: move it first.", placeOf(piece));
     if (geometry::windingNumber(flattened(piece.outline, 1e-4), dart.tip) == 0)
         return fail(ErrorCode::invalidInput, "The tip of the dart lies outside the piece.", placeOf(piece));
     return mouth;

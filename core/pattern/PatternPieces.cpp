@@ -84,11 +84,15 @@ Result<Pattern> duplicatePiece(const Pattern& pattern, const PieceId& piece, std
             const EdgeId old = std::exchange(edge.id, ids.take<EdgeId>());
             for (std::size_t n = 0; n < copy.notches.size(); ++n)
                 if (original->notches[n].edge == old) copy.notches[n].edge = edge.id;
+            for (std::size_t f = 0; f < copy.folds.size(); ++f)
+                for (std::size_t end = 0; end < 2; ++end)
+                    if (original->folds[f].ends[end].edge == old) copy.folds[f].ends[end].edge = edge.id;
         }
     };
     renew(copy.outline);
     std::ranges::for_each(copy.holes, renew);
     for (Region& region : copy.regions) region.id = ids.take<RegionId>();
+    for (Fold& fold : copy.folds) fold.id = ids.take<FoldId>();
     return addPiece(pattern, std::move(copy));
 }
 

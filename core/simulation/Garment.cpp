@@ -37,6 +37,9 @@ cloth::Patch patchOf(const Piece& piece, const meshing::PieceMesh& mesh, std::sp
         patch.rectangles.push_back({cell.nodes, factorsOf(piece, cell.region)});
     for (const meshing::Triangle& t : mesh.triangles) patch.triangles.push_back({t.nodes, factorsOf(piece, t.region)});
     for (const meshing::SlaveNode& slave : mesh.slaves) patch.slaves.push_back({slave.node, slave.masters});
+    for (const auto& fold : mesh.folds)
+        for (std::size_t i = 0; i + 1 < fold.size(); ++i) patch.creases.push_back(std::minmax(fold[i], fold[i + 1]));
+    std::ranges::sort(patch.creases);
     return patch;
 }
 
@@ -73,7 +76,7 @@ Result<void> pinParticles(Garment& garment, const Pattern& pattern) {
 
 Result<Garment> makeGarment(const Pattern& pattern, Shared<meshing::GarmentMesh> mesh, std::vector<bool> mergedSeams,
                             bool paper) {
-    Garment garment{std::move(mesh), std::move(mergedSeams), {}, {}, {}, {}};
+    Garment garment{std::move(mesh), std::move(mergedSeams), {}, {}, {}, {}, {}};
     garment.particles = particleMap(*garment.mesh, garment.mergedSeams);
     garment.halfThickness.assign(garment.particles.particleCount, 0);
     garment.friction.assign(garment.particles.particleCount, 0);
@@ -95,7 +98,10 @@ Result<Garment> makeGarment(const Pattern& pattern, Shared<meshing::GarmentMesh>
             garment.friction[particle] = std::max(garment.friction[particle], fabric->friction);
         }
     }
-    if (!paper) appendSeamHinges(garment.model, pattern, *garment.mesh, garment.mergedSeams, garment.particles);
+    if (!paper) {
+        garment.folds = appendFoldHinges(garment.model, pattern, *garment.mesh, garment.particles);
+        appendSeamHinges(garment.model, pattern, *garment.mesh, garment.mergedSeams, garment.particles);
+    }
     if (const auto pinned = pinParticles(garment, pattern); !pinned) return tl::unexpected(pinned.error());
     cloth::doubleBendingAtClampedRows(garment.model);
     if (paper) garment.paper = cloth::springsAlone(garment.model, paperCurvature);

@@ -6,6 +6,7 @@
 #include "core/cloth/ClothModel.h"
 #include "core/cloth/PaperSprings.h"
 #include "core/pattern/Pattern.h"
+#include "core/simulation/FoldHinges.h"
 #include "core/simulation/ParticleMap.h"
 
 #include <optional>
@@ -19,8 +20,9 @@ struct Garment {
     std::vector<bool> mergedSeams;
     ParticleMap particles;
     cloth::ClothModel model;
-    std::vector<double> halfThickness;            ///< of the cloth at each particle [m]
-    std::vector<double> friction;                 ///< of the cloth at each particle [–]
+    std::vector<double> halfThickness; ///< of the cloth at each particle [m]
+    std::vector<double> friction;      ///< of the cloth at each particle [–]
+    std::vector<FoldHinges> folds;
     std::optional<cloth::PaperReport> paper = {}; ///< of springs alone
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/MeshInputOf.h"
 
+#include "core/pattern/PatternFolds.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
@@ -41,6 +43,19 @@ meshing::BoundaryLoop loopOf(const Piece& piece, const Contour& contour) {
     return loop;
 }
 
+/// Of an end that is unknown the mesher is told no place, which it refuses.
+std::vector<meshing::FoldInput> foldInputsOf(const Piece& piece) {
+    std::vector<meshing::FoldInput> inputs;
+    for (const Fold& fold : piece.folds) {
+        meshing::FoldInput input{labelOf(fold.name, fold.id.value), pointsOf(piece, fold), {}};
+        for (std::size_t end = 0; end < 2; ++end)
+            if (const auto at = findEdge(piece, fold.ends[end].edge))
+                input.ends[end] = {at->loop, static_cast<int>(at->index), fold.ends[end].position};
+        inputs.push_back(std::move(input));
+    }
+    return inputs;
+}
+
 meshing::PieceInput pieceInputOf(const Piece& piece, const MeshOverrides& overrides) {
     meshing::PieceInput input;
     input.label = labelOf(piece.name, piece.id.value);
@@ -51,6 +66,7 @@ meshing::PieceInput pieceInputOf(const Piece& piece, const MeshOverrides& overri
     for (const Region& region : piece.regions)
         input.regions.push_back(
             {labelOf(region.name, region.id.value), region.outline, region.holes, region.refinement});
+    input.folds = foldInputsOf(piece);
     switch (overrides.rule.value_or(piece.rule)) {
     case LineRule::regular: input.rule = meshing::LineRule::regular; break;
     case LineRule::features: input.rule = meshing::LineRule::features; break;

@@ -20,7 +20,7 @@ void leaveOutElements(StepPlan& plan, const Garment& garment) {
     if (model.slaves.empty()) plan.leaveOut("slaves", "one spacing in every piece");
     if (model.pinned.empty()) plan.leaveOut("pins", "nothing is pinned");
     if (garment.paper) {
-        for (const char* element : {"membrane cells", "membrane triangles", "bending", "twist", "seam hinges"})
+        for (const char* element : {"membrane cells", "membrane triangles", "bending", "twist", "folds", "seam hinges"})
             plan.leaveOut(element, "the paper has springs alone");
         return;
     }
@@ -29,7 +29,8 @@ void leaveOutElements(StepPlan& plan, const Garment& garment) {
     if (model.triangles.empty()) plan.leaveOut("membrane triangles", "rectangles only");
     if (model.bending.empty()) plan.leaveOut("bending", "no bending stiffness");
     if (model.twist.empty()) plan.leaveOut("twist", "4·B45 does not exceed B1 + B2 in any fabric");
-    if (model.hinges.empty()) plan.leaveOut("seam hinges", "no merged seam");
+    if (garment.folds.empty()) plan.leaveOut("folds", "no pressed fold");
+    if (std::ssize(model.hinges) == hingesOf(garment.folds)) plan.leaveOut("seam hinges", "no merged seam");
 }
 
 } // namespace

@@ -144,6 +144,11 @@ void listTacks(SewReport& result, const Simulation& simulation) {
     }
 }
 
+void listFolds(SewReport& result, const Simulation& simulation) {
+    const Garment& garment = simulation.garment();
+    result.folds = foldReports(simulation.scene().pattern, garment.model, garment.folds, simulation.state().positions);
+}
+
 void warnOfOpenTacks(SewReport& result) {
     for (const TackResult& tack : result.tacks)
         if (!tack.closed)
@@ -239,6 +244,7 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
         result.seams.push_back(
             {simulation.seams()[seam], simulation.seams()[seam].merged ? SeamGap{} : simulation.gapOf(seam)});
     listTacks(result, simulation);
+    listFolds(result, simulation);
     warnOfOpenSeams(result);
     warnOfOpenTacks(result);
     warnOfCrossedLayers(result, simulation);

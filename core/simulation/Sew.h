@@ -51,6 +51,7 @@ struct SewReport {
     int particles = 0, springsStructural = 0, springsShear = 0, flexion = 0, bending = 0, twist = 0;
     std::vector<SeamResult> seams;
     std::vector<TackResult> tacks;
+    std::vector<FoldReport> folds;
     std::optional<WornReport> worn; ///< absent without a body that has limbs
     ContactSummary contact;
     double mass = 0; ///< of the cloth with its interfacing [kg]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Sew.h"
 
+#include <numbers>
+
 namespace toile::simulation {
 namespace {
 
@@ -18,6 +20,17 @@ Json toJson(const SeamResult& seam) {
     json.set("maximumGap", seam.gap.maximum).set("meanGap", seam.gap.mean);
     json.set("merged", seam.state.merged).set("closed", seam.state.merged);
     return json;
+}
+
+double degrees(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
+
+Json toJson(const FoldReport& fold) {
+    Json json;
+    json.set("piece", fold.piece).set("name", fold.name).set("foldAngleDegrees", degrees(fold.restAngle));
+    json.set("meanAngleDegrees", degrees(fold.mean));
+    return json.set("leastAngleDegrees", degrees(fold.least)).set("mostAngleDegrees", degrees(fold.most));
 }
 
 Json toJson(const TackResult& tack) {
@@ -96,6 +109,7 @@ Json toJson(const SewReport& report) {
     springs.set("flexion", report.flexion).set("bending", report.bending).set("twist", report.twist);
     json.set("springs", springs);
     json.set("seams", listOf(report.seams, [](const SeamResult& seam) { return toJson(seam); }));
+    json.set("folds", listOf(report.folds, [](const FoldReport& fold) { return toJson(fold); }));
     json.set("tacks", listOf(report.tacks, [](const TackResult& tack) { return toJson(tack); }));
     json.set("worn", toJson(report.worn));
     json.set("contact", toJson(report.contact));

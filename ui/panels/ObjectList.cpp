@@ -29,6 +29,9 @@ ObjectGroup piecesOf(const Pattern& pattern) {
                 {RegionRef{piece->id, region.id},
                  tr("%1 (1/%2)").arg(named(region.name, tr("Region"))).arg(1 << std::clamp(region.refinement, 0, 20)),
                  QStringLiteral("region"), 1});
+        for (const Fold& fold : piece->folds)
+            group.lines.push_back(
+                {FoldRef{piece->id, fold.id}, named(fold.name, tr("Fold")), QStringLiteral("fold"), 1});
     }
     return group;
 }

@@ -18,6 +18,7 @@ struct SheetOf {
     PropertySheet operator()(const VertexRef& vertex) const { return vertexSheet(desk, vertex); }
     PropertySheet operator()(const EdgeRef& edge) const { return edgeSheet(desk, edge); }
     PropertySheet operator()(const RegionRef& region) const { return regionSheet(desk.document, region); }
+    PropertySheet operator()(const FoldRef& fold) const { return foldSheet(desk.document, fold); }
     PropertySheet operator()(const SeamId& id) const { return seamSheet(desk, *findSeam(desk.document.pattern, id)); }
     PropertySheet operator()(const TackId& id) const {
         return tackSheet(desk.document, *findTack(desk.document.pattern, id));

@@ -69,6 +69,7 @@ struct PropertySheet {
 [[nodiscard]] PropertySheet regionSheet(const document::Document& document, const RegionRef& region);
 [[nodiscard]] PropertySheet edgeSheet(const Desk& desk, const EdgeRef& edge);
 [[nodiscard]] PropertySheet vertexSheet(const Desk& desk, const VertexRef& vertex);
+[[nodiscard]] PropertySheet foldSheet(const document::Document& document, const FoldRef& fold);
 [[nodiscard]] PropertySheet seamSheet(const Desk& desk, const pattern::Seam& seam);
 [[nodiscard]] PropertySheet tackSheet(const document::Document& document, const pattern::Tack& tack);
 [[nodiscard]] PropertySheet fabricSheet(const document::Document& document, const material::Fabric& fabric);

@@ -209,6 +209,7 @@ void paintPieces(QPainter& painter, const ViewTransform& view, const PatternPict
         if (picture.look.mesh && i < picture.mesh.size())
             paintMesh(painter, view, picture.mesh[i], piece.piece.tablePosition);
         paintInternalLines(painter, view, piece.piece);
+        paintFolds(painter, view, piece, picture);
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(colours::outline, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.drawPath(shape);

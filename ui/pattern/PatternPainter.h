@@ -34,6 +34,8 @@ void paint(QPainter& painter, const ViewTransform& view, const PatternPicture& p
 void paintGrid(QPainter& painter, const ViewTransform& view);
 void paintRulers(QPainter& painter, const ViewTransform& view);
 void paintPieces(QPainter& painter, const ViewTransform& view, const PatternPicture& picture);
+/// Dash-dot lines, as the trade draws them; with rings at the ends of those that are selected.
+void paintFolds(QPainter& painter, const ViewTransform& view, const FlatPiece& piece, const PatternPicture& picture);
 void paintSeams(QPainter& painter, const ViewTransform& view, const PatternPicture& picture);
 void paintPoints(QPainter& painter, const ViewTransform& view, const PatternPicture& picture);
 /// Both ends of every tack, with the thread between them; buttons with their holes.

@@ -3,6 +3,7 @@
 
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternContours.h"
+#include "core/pattern/PatternFolds.h"
 #include "core/pattern/PatternPieces.h"
 #include "core/pattern/PatternRegions.h"
 #include "core/pattern/PatternSeams.h"
@@ -35,6 +36,10 @@ struct Without {
         if (existing({ref}, pattern).empty()) return pattern;
         return removeRegion(pattern, shapeOwner(pattern, ref.piece).piece, ref.region);
     }
+    Result<Pattern> operator()(const FoldRef& ref) const {
+        if (existing({ref}, pattern).empty()) return pattern;
+        return removeFold(pattern, shapeOwner(pattern, ref.piece).piece, ref.fold);
+    }
     Result<Pattern> operator()(const VertexRef& ref) const {
         if (existing({ref}, pattern).empty()) return pattern;
         return remarked(deleteVertex(pattern, shapeOwner(pattern, ref.piece).piece, ref.vertex));
@@ -59,6 +64,7 @@ struct StepName {
     QString operator()(const SeamId&) const { return tr("Delete seam"); }
     QString operator()(const TackId&) const { return tr("Delete tack"); }
     QString operator()(const RegionRef&) const { return tr("Delete region"); }
+    QString operator()(const FoldRef&) const { return tr("Delete fold"); }
     QString operator()(const VertexRef&) const { return tr("Delete points"); }
     QString operator()(const PieceId&) const { return tr("Delete piece"); }
     template <class Other>

@@ -58,6 +58,7 @@ Piece moved(Piece piece, Vec2 by) {
         move(region.outline, by);
         for (Polygon& hole : region.holes) move(hole, by);
     }
+    for (Fold& fold : piece.folds) move(fold.between, by);
     for (InternalLine& line : piece.internalLines) move(line.points, by);
     return piece;
 }

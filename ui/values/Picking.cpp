@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/values/Picking.h"
 
+#include "core/pattern/PatternFolds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -137,6 +139,31 @@ std::optional<TackEnd> tackEndAt(const Pattern& document, const FlatPattern& fla
                 nearest = distance(*at, point);
                 best = TackEnd{tack.id, end};
             }
+    return best;
+}
+
+std::optional<FoldRef> foldAt(const FlatPattern& pattern, Vec2 point, double tolerance) {
+    std::optional<FoldRef> best;
+    double nearest = tolerance;
+    for (const FlatPiece& piece : pattern.pieces)
+        for (const Fold& fold : piece.piece.folds)
+            if (const double d = distanceToPath(pointsOf(piece.piece, fold), point); d <= nearest) {
+                nearest = d;
+                best = FoldRef{piece.piece.id, fold.id};
+            }
+    return best;
+}
+
+std::optional<FoldEnd> foldEndAt(const FlatPattern& pattern, Vec2 point, double tolerance) {
+    std::optional<FoldEnd> best;
+    double nearest = tolerance;
+    for (const FlatPiece& piece : pattern.pieces)
+        for (const Fold& fold : piece.piece.folds)
+            for (std::size_t end = 0; end < 2; ++end)
+                if (const auto at = pointOf(piece.piece, fold.ends[end]); at && distance(*at, point) <= nearest) {
+                    nearest = distance(*at, point);
+                    best = FoldEnd{{piece.piece.id, fold.id}, end};
+                }
     return best;
 }
 

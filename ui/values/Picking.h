@@ -31,6 +31,13 @@ struct TackEnd {
     friend bool operator==(const TackEnd&, const TackEnd&) = default;
 };
 
+/// One end of a pressed fold.
+struct FoldEnd {
+    FoldRef fold;
+    std::size_t end = 0;
+    friend bool operator==(const FoldEnd&, const FoldEnd&) = default;
+};
+
 /// What lies nearest to a point within a tolerance [m]; the topmost (last) piece wins.
 [[nodiscard]] std::optional<VertexRef> vertexAt(const FlatPattern& pattern, Vec2 point, double tolerance);
 [[nodiscard]] std::optional<HandleRef> handleAt(const FlatPattern& pattern, Vec2 point, double tolerance);
@@ -43,6 +50,9 @@ struct TackEnd {
 
 [[nodiscard]] std::optional<TackEnd> tackEndAt(const pattern::Pattern& document, const FlatPattern& flat, Vec2 point,
                                                double tolerance);
+
+[[nodiscard]] std::optional<FoldRef> foldAt(const FlatPattern& pattern, Vec2 point, double tolerance);
+[[nodiscard]] std::optional<FoldEnd> foldEndAt(const FlatPattern& pattern, Vec2 point, double tolerance);
 
 [[nodiscard]] std::optional<Vec2> positionOf(const FlatPattern& pattern, const pattern::ClothPoint& place);
 [[nodiscard]] std::optional<Vec2> positionOf(const FlatPattern& pattern, const VertexRef& vertex);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/values/Selection.h"
 
+#include "core/pattern/PatternFolds.h"
 #include "core/pattern/PatternTacks.h"
 
 #include <algorithm>
@@ -44,6 +45,10 @@ struct Exists {
         const Piece* piece = ownerOfContour(pattern, ref.piece);
         return piece && std::ranges::find(piece->regions, ref.region, &Region::id) != piece->regions.end();
     }
+    bool operator()(const FoldRef& ref) const {
+        const Piece* piece = ownerOfContour(pattern, ref.piece);
+        return piece && findFold(*piece, ref.fold);
+    }
     bool operator()(AvatarItem) const { return true; }
     bool operator()(SceneItem) const { return true; }
 };
@@ -53,6 +58,7 @@ struct OwnerPiece {
     PieceId operator()(const VertexRef& ref) const { return ref.piece; }
     PieceId operator()(const EdgeRef& ref) const { return ref.piece; }
     PieceId operator()(const RegionRef& ref) const { return ref.piece; }
+    PieceId operator()(const FoldRef& ref) const { return ref.piece; }
     template <class Other>
     PieceId operator()(const Other&) const {
         return {};

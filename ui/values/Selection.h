@@ -26,6 +26,12 @@ struct RegionRef {
     friend bool operator==(const RegionRef&, const RegionRef&) = default;
 };
 
+struct FoldRef {
+    pattern::PieceId piece;
+    pattern::FoldId fold;
+    friend bool operator==(const FoldRef&, const FoldRef&) = default;
+};
+
 struct AvatarItem {
     friend bool operator==(AvatarItem, AvatarItem) = default;
 };
@@ -35,7 +41,7 @@ struct SceneItem {
 };
 
 /// One thing of the document that can be looked at and changed.
-using Item = std::variant<pattern::PieceId, VertexRef, EdgeRef, RegionRef, pattern::SeamId, pattern::TackId,
+using Item = std::variant<pattern::PieceId, VertexRef, EdgeRef, RegionRef, FoldRef, pattern::SeamId, pattern::TackId,
                           pattern::FabricId, AvatarItem, SceneItem>;
 
 /// What is selected, in the order in which it was picked.

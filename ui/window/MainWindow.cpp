@@ -197,6 +197,7 @@ void MainWindow::makeToolBars() {
                          "tool.editPoints",
                          "tool.drawPiece",
                          "tool.internalLine",
+                         "tool.fold",
                          "tool.notch",
                          "tool.dart",
                          "tool.hole",

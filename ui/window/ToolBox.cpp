@@ -9,6 +9,7 @@
 #include "ui/tools/EditPoints.h"
 #include "ui/tools/EditSewing.h"
 #include "ui/tools/MovePieces.h"
+#include "ui/tools/PressFolds.h"
 #include "ui/tools/SetTacks.h"
 #include "ui/tools/SewFree.h"
 #include "ui/tools/SewSegments.h"
@@ -36,6 +37,7 @@ ToolBox::ToolBox() {
     add("tool.editPoints", tr("Edit points"), "Z", "edit-points", std::make_unique<EditPoints>());
     add("tool.drawPiece", tr("Draw piece"), "Shift+D", "draw-piece", std::make_unique<DrawPiece>());
     add("tool.internalLine", tr("Internal line"), "D", "internal-line", std::make_unique<DrawInternalLine>());
+    add("tool.fold", tr("Press fold"), "Shift+F", "fold", std::make_unique<PressFolds>());
     add("tool.notch", tr("Notch"), "Shift+N", "notch", std::make_unique<EditNotches>());
     add("tool.dart", tr("Dart"), "Shift+T", "dart", std::make_unique<CutDart>(dart), Uses::dart);
     add("tool.hole", tr("Cut hole"), "Shift+H", "hole", std::make_unique<CutHole>());

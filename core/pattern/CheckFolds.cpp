@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/CheckParts.h"
+#include "core/pattern/Crossings.h"
+#include "core/pattern/PatternFolds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace toile::pattern {
+namespace {
+
+constexpr double chordError = 5e-5; ///< of contours that folds are judged by [m]
+constexpr double atEnd = 1e-4;      ///< what a fold may touch the border by at its own ends [m]
+
+std::vector<BorderSegment> segmentsThrough(const std::vector<Vec2>& points, bool closed) {
+    std::vector<BorderSegment> segments;
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i)
+        segments.push_back({points[i], points[(i + 1) % points.size()], 0, i, i});
+    return segments;
+}
+
+bool checkNumbers(const Piece& piece, const Fold& fold, const std::string& at, Problems& problems) {
+    bool sound = true;
+    const auto refuse = [&](const std::string& member, std::string text) {
+        problems.error(at + member, std::move(text));
+        sound = false;
+    };
+    if (!(std::abs(fold.angle) < 3.2)) refuse("foldAngleDegrees", "A fold angle is at most 180°.");
+    if (!(fold.stiffnessFactor > 0 && std::isfinite(fold.stiffnessFactor)))
+        refuse("stiffnessFactor",
+               fmt::format("The stiffness factor is {}, but must be positive.", fold.stiffnessFactor));
+    for (std::size_t end = 0; end < 2; ++end) {
+        const std::string member = end == 0 ? "from" : "to";
+        if (!findEdge(piece, fold.ends[end].edge))
+            refuse(member + ".edge", fmt::format("The piece has no edge \"{}\".", fold.ends[end].edge.value));
+        if (!(fold.ends[end].position >= 0 && fold.ends[end].position <= 1))
+            refuse(member + ".position",
+                   fmt::format("A fold ends at a fraction from 0 to 1 of an edge, but this one at {}.",
+                               fold.ends[end].position));
+    }
+    if (!std::ranges::all_of(fold.between, [](Vec2 p) { return geometry::isFinite(p); }))
+        refuse("between", "A point must have finite coordinates.");
+    return sound;
+}
+
+bool isInside(const Piece& piece, Vec2 point) {
+    if (geometry::windingNumber(flattened(piece.outline, chordError), point) == 0) return false;
+    return std::ranges::none_of(piece.holes, [&](const Contour& hole) {
+        return geometry::windingNumber(flattened(hole, chordError), point) != 0;
+    });
+}
+
+/// The fold runs through the piece, and meets its border at its ends only.
+void checkCourse(const Piece& piece, const Fold& fold, const std::vector<Vec2>& line, const std::string& at,
+                 Problems& problems) {
+    const auto refuse = [&](Vec2 point) {
+        problems.error(at + "between", fmt::format("The fold \"{}\" leaves the piece at ({:.2f}, {:.2f}) mm.", fold.name,
+                                                   1000 * point.x, 1000 * point.y));
+    };
+    for (int loop = 0; loop <= static_cast<int>(piece.holes.size()); ++loop)
+        for (const BorderSegment& border : segmentsThrough(flattened(loopOf(piece, loop), chordError), true))
+            for (const BorderSegment& own : segmentsThrough(line, false))
+                if (const auto point = meeting(own, border);
+                    point && geometry::distance(*point, line.front()) > atEnd &&
+                    geometry::distance(*point, line.back()) > atEnd)
+                    return refuse(*point);
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        if (const Vec2 middle = geometry::lerp(line[i], line[i + 1], 0.5); !isInside(piece, middle))
+            return refuse(middle);
+}
+
+void checkFold(const Piece& piece, std::size_t number, const std::vector<std::vector<Vec2>>& lines,
+               const std::string& at, Problems& problems) {
+    const Fold& fold = piece.folds[number];
+    const std::vector<Vec2>& line = lines[number];
+    double length = 0;
+    for (const BorderSegment& own : segmentsThrough(line, false)) length += geometry::distance(own.a, own.b);
+    if (!(length > 1e-3) || fold.ends[0] == fold.ends[1])
+        return problems.error(at + "to", fmt::format("The fold \"{}\" ends where it begins.", fold.name));
+    checkCourse(piece, fold, line, at, problems);
+    const std::vector<BorderSegment> own = segmentsThrough(line, false);
+    for (std::size_t i = 0; i < own.size(); ++i)
+        for (std::size_t j = 0; j + 1 < i; ++j)
+            if (meeting(own[i], own[j]))
+                return problems.error(at + "between", fmt::format("The fold \"{}\" crosses itself.", fold.name));
+    for (std::size_t other = 0; other < number; ++other)
+        for (const BorderSegment& q : segmentsThrough(lines[other], false))
+            for (const BorderSegment& p : own)
+                if (const auto point = meeting(p, q))
+                    return problems.error(at + "between",
+                                          fmt::format("The fold \"{}\" crosses the fold \"{}\" at ({:.2f}, {:.2f}) mm.",
+                                                      fold.name, piece.folds[other].name, 1000 * point->x,
+                                                      1000 * point->y));
+}
+
+} // namespace
+
+void checkFolds(const Piece& piece, Problems& problems) {
+    std::vector<std::vector<Vec2>> lines(piece.folds.size());
+    for (std::size_t i = 0; i < piece.folds.size(); ++i) {
+        const std::string at = fmt::format("folds[{}].", i);
+        if (!checkNumbers(piece, piece.folds[i], at, problems)) continue;
+        lines[i] = pointsOf(piece, piece.folds[i]);
+        checkFold(piece, i, lines, at, problems);
+    }
+}
+
+} // namespace toile::pattern
