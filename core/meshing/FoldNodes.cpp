@@ -16,8 +16,7 @@ std::size_t at(int i) {
 }
 
 tl::unexpected<Error> refuse(const PieceInput& piece, const FoldInput& fold, const std::string& sentence) {
-    return fail(ErrorCode::invalidInput, sentence,
-                {.object = nameOf(piece) + ", fold \"" + fold.label + "\""});
+    return fail(ErrorCode::invalidInput, sentence, {.object = nameOf(piece) + ", fold \"" + fold.label + "\""});
 }
 
 /// Places where a fold turns by more than this are nodes.
@@ -26,9 +25,11 @@ const double sharp = std::cos(15 * std::numbers::pi / 180);
 /// The border node at a fold's end: a fixed point of its edge, so that there is one.
 int nodeAt(const BoundaryNodes& nodes, const FoldEndInput& end) {
     const EdgeNodes& edge = nodes.loops[at(end.loop)][at(end.edge)];
-    return std::min_element(edge.begin(), edge.end(), [&](const EdgeNode& a, const EdgeNode& b) {
-               return std::abs(a.fraction - end.fraction) < std::abs(b.fraction - end.fraction);
-           })->node;
+    return std::min_element(edge.begin(), edge.end(),
+                            [&](const EdgeNode& a, const EdgeNode& b) {
+                                return std::abs(a.fraction - end.fraction) < std::abs(b.fraction - end.fraction);
+                            })
+        ->node;
 }
 
 /// The corners of a fold in the frame, and between them the course of each leg.
@@ -111,8 +112,9 @@ bool clash(const Segment& s, const Segment& t) {
         return segmentsMeet(s.a, s.b, t.a, t.b);
     const auto isNew = [&](int node) { return node != s.nodeA && node != s.nodeB; };
     const auto isLost = [&](int node) { return node != t.nodeA && node != t.nodeB; };
-    return (isNew(t.nodeA) && onSegment(s.a, s.b, t.a)) || (isNew(t.nodeB) && onSegment(s.a, s.b, t.b)) ||
-           (isLost(s.nodeA) && onSegment(t.a, t.b, s.a)) || (isLost(s.nodeB) && onSegment(t.a, t.b, s.b));
+    return (!isNew(t.nodeA) && !isNew(t.nodeB)) || (isNew(t.nodeA) && onSegment(s.a, s.b, t.a)) ||
+           (isNew(t.nodeB) && onSegment(s.a, s.b, t.b)) || (isLost(s.nodeA) && onSegment(t.a, t.b, s.a)) ||
+           (isLost(s.nodeB) && onSegment(t.a, t.b, s.b));
 }
 
 std::vector<Segment> segmentsOf(const BoundaryNodes& nodes, const std::vector<int>& line, bool closed) {
@@ -137,7 +139,8 @@ Result<void> checkCourse(const PieceInput& piece, std::size_t number, const Boun
         const std::vector<GridPoint> ring = gridRing(r);
         for (std::size_t i = 1; i + 1 < line.size(); ++i)
             if (isInside(ring, nodes.grid[at(line[i])]) != (r == 0))
-                return refuse(piece, fold, "The fold leaves the piece at " + pointText(nodes.points[at(line[i])]) + ".");
+                return refuse(piece, fold,
+                              "The fold leaves the piece at " + pointText(nodes.points[at(line[i])]) + ".");
     }
     const std::vector<Segment> own = segmentsOf(nodes, line, false);
     const auto meets = [&](const std::vector<Segment>& others) -> const Segment* {
@@ -163,7 +166,8 @@ Result<void> checkCourse(const PieceInput& piece, std::size_t number, const Boun
     if (own.size() == 1) { // a chord: no node of its own tells on which side of the border it runs
         const GridPoint middle{(own[0].a.x + own[0].b.x) / 2, (own[0].a.y + own[0].b.y) / 2};
         for (std::size_t r = 0; r < nodes.rings.size(); ++r)
-            if (isInside(gridRing(r), middle) != (r == 0)) return refuse(piece, fold, "The fold runs outside the piece.");
+            if (isInside(gridRing(r), middle) != (r == 0))
+                return refuse(piece, fold, "The fold runs outside the piece.");
     }
     return {};
 }

@@ -55,15 +55,15 @@ bool isInside(const Piece& piece, Vec2 point) {
 void checkCourse(const Piece& piece, const Fold& fold, const std::vector<Vec2>& line, const std::string& at,
                  Problems& problems) {
     const auto refuse = [&](Vec2 point) {
-        problems.error(at + "between", fmt::format("The fold \"{}\" leaves the piece at ({:.2f}, {:.2f}) mm.", fold.name,
-                                                   1000 * point.x, 1000 * point.y));
+        problems.error(at + "between", fmt::format("The fold \"{}\" leaves the piece at ({:.2f}, {:.2f}) mm.",
+                                                   fold.name, 1000 * point.x, 1000 * point.y));
     };
     for (int loop = 0; loop <= static_cast<int>(piece.holes.size()); ++loop)
         for (const BorderSegment& border : segmentsThrough(flattened(loopOf(piece, loop), chordError), true))
             for (const BorderSegment& own : segmentsThrough(line, false))
-                if (const auto point = meeting(own, border);
-                    point && geometry::distance(*point, line.front()) > atEnd &&
-                    geometry::distance(*point, line.back()) > atEnd)
+                if (const auto point = meeting(own, border); point &&
+                                                             geometry::distance(*point, line.front()) > atEnd &&
+                                                             geometry::distance(*point, line.back()) > atEnd)
                     return refuse(*point);
     for (std::size_t i = 0; i + 1 < line.size(); ++i)
         if (const Vec2 middle = geometry::lerp(line[i], line[i + 1], 0.5); !isInside(piece, middle))

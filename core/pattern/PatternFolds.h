@@ -23,8 +23,7 @@ namespace toile::pattern {
 [[nodiscard]] Result<Pattern> renameFold(const Pattern& pattern, const PieceId& piece, const FoldId& fold,
                                          std::string name);
 /// Sets its rest angle [rad]; 0 = flat, positive closes the right side.
-[[nodiscard]] Result<Pattern> pressFold(const Pattern& pattern, const PieceId& piece, const FoldId& fold,
-                                           double angle);
+[[nodiscard]] Result<Pattern> pressFold(const Pattern& pattern, const PieceId& piece, const FoldId& fold, double angle);
 /// Bending along the fold, of the cloth's [–].
 [[nodiscard]] Result<Pattern> setFoldStiffness(const Pattern& pattern, const PieceId& piece, const FoldId& fold,
                                                double factor);

@@ -20,8 +20,8 @@ template <class Use>
 void forEachSide(const meshing::PieceMesh& mesh, int piece, Use use) {
     for (const meshing::Rectangle& cell : mesh.rectangles)
         for (std::size_t i = 0; i < 4; ++i)
-            use(CellSide{piece, cell.nodes[i], cell.nodes[(i + 1) % 4],
-                         {cell.nodes[(i + 3) % 4], cell.nodes[(i + 2) % 4]}});
+            use(CellSide{
+                piece, cell.nodes[i], cell.nodes[(i + 1) % 4], {cell.nodes[(i + 3) % 4], cell.nodes[(i + 2) % 4]}});
     for (const meshing::Triangle& t : mesh.triangles)
         for (std::size_t i = 0; i < 3; ++i)
             use(CellSide{piece, t.nodes[i], t.nodes[(i + 1) % 3], {t.nodes[(i + 2) % 3]}});

@@ -66,10 +66,10 @@ std::vector<FoldReport> foldReports(const pattern::Pattern& pattern, const cloth
         for (std::size_t h = fold.first; h < fold.end; ++h) {
             const cloth::Hinge& hinge = model.hinges[h];
             const double angle =
-                report.restAngle + cloth::angleFrom(report.restAngle,
-                                                    cloth::foldAngle(positions[hinge.a], positions[hinge.b],
-                                                                     positions[hinge.c], positions[hinge.d])
-                                                        .angle);
+                report.restAngle +
+                cloth::angleFrom(report.restAngle, cloth::foldAngle(positions[hinge.a], positions[hinge.b],
+                                                                    positions[hinge.c], positions[hinge.d])
+                                                       .angle);
             const double own = geometry::distance(positions[hinge.a], positions[hinge.b]);
             report.least = h == fold.first ? angle : std::min(report.least, angle);
             report.most = h == fold.first ? angle : std::max(report.most, angle);

@@ -12,7 +12,7 @@ namespace toile::simulation {
 
 /// The hinges of one pressed fold in a cloth.
 struct FoldHinges {
-    int piece = 0, fold = 0;   ///< of the pattern, and of the piece
+    int piece = 0, fold = 0;        ///< of the pattern, and of the piece
     std::size_t first = 0, end = 0; ///< in ClothModel::hinges
 };
 
@@ -26,7 +26,7 @@ struct FoldHinges {
 /// How a pressed fold lies.
 struct FoldReport {
     std::string piece, name;
-    double restAngle = 0;                ///< as pressed [rad]
+    double restAngle = 0;                 ///< as pressed [rad]
     double mean = 0, least = 0, most = 0; ///< of the angles along it, the mean by length [rad]
 };
 

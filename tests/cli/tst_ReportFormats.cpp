@@ -47,7 +47,7 @@ Keys withoutOwner(const Keys& keys) {
     for (QString key : keys) {
         if (key.startsWith("pieces[].")) key.remove(0, 9);
         if (key.startsWith("total.")) key.remove(0, 6);
-        if (key != "regions") bare.insert(key); // a piece without regions
+        if (key != "regions" && key != "folds") bare.insert(key); // a piece without them
     }
     return bare;
 }
@@ -70,6 +70,18 @@ private:
         collect(jsonOf(contentOf(file)), "", keys);
         return keys;
     }
+    /// The two squares, the left one folded.
+    [[nodiscard]] QString folded() const {
+        QByteArray text = contentOf(sample("two-squares.toile"));
+        const QByteArray id = "\"id\": \"left\",";
+        text.replace(text.indexOf(id), id.size(),
+                     id + "\"folds\": [{\"id\": \"l1\", \"from\": {\"edge\": \"left.bottom\", \"position\": 0.5}, "
+                          "\"to\": {\"edge\": \"left.top\", \"position\": 0.5}, \"foldAngleDegrees\": 90}],");
+        const QString path = folder_.filePath("folded.toile");
+        QFile file(path);
+        if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("cannot write");
+        return path;
+    }
     QTemporaryDir folder_;
 };
 
@@ -81,6 +93,9 @@ void tst_ReportFormats::sewJsonIsAsItsPageSays() {
     written.erase("tacks"); // the blouse has none; the band has
     for (const QString& key : keysOf({"sew", sample("buttoned-band.toile"), "--seconds", "0.1", "--quiet"}))
         if (key.startsWith("tacks[]")) written.insert(key);
+    written.erase("folds");
+    for (const QString& key : keysOf({"sew", folded(), "--seconds", "0.1", "--quiet"}))
+        if (key.startsWith("folds[]")) written.insert(key);
     QCOMPARE(difference(documented, written), QString());
     QCOMPARE(difference(written, documented), QString());
 }
@@ -89,7 +104,9 @@ void tst_ReportFormats::meshJsonIsAsItsPageSays() {
     Keys documented = documentedKeys("mesh.md");
     QVERIFY(documented.size() > 30);
     for (const char* owner : {"pieces[]", "total"}) QCOMPARE(documented.erase(owner), std::size_t(1));
-    const Keys written = withoutOwner(keysOf({"mesh", sample("blouse.toile")}));
+    Keys written = withoutOwner(keysOf({"mesh", sample("blouse.toile")}));
+    for (const QString& key : withoutOwner(keysOf({"mesh", folded()})))
+        if (key.startsWith("folds[]")) written.insert(key);
     QCOMPARE(difference(documented, written), QString());
     QCOMPARE(difference(written, documented), QString());
 }

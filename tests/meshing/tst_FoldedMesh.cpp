@@ -23,8 +23,9 @@ FoldInput foldAcross(const PieceInput& piece, FoldEndInput from, FoldEndInput to
 
 /// Every two neighbours of a fold's nodes are a side of an element on either side of it, and lie on its line.
 std::string foldDefectOf(const PieceMesh& mesh, const FoldReport& report, double spacing) {
-    // A bend of less than 15° between two nodes is cut off by a spacing · tan(7.5°) / 4 at most.
-    if (report.deviation > 0.033 * spacing) return "the fold is " + std::to_string(report.deviation) + " m beside its line";
+    // A bend of less than 15° half-way between two nodes is cut off by half a spacing · sin(7.5°).
+    if (report.deviation > 0.0653 * spacing)
+        return "the fold is " + std::to_string(report.deviation) + " m beside its line";
     std::set<std::array<int, 2>> directed;
     for (const auto& t : mesh.display)
         for (std::size_t i = 0; i < 3; ++i) directed.insert({t[i], t[(i + 1) % 3]});
@@ -82,7 +83,8 @@ private slots:
         PieceInput holed = front;
         holed.holes = {circleLoop({0.12, 0.3}, 0.03, true)};
         row("past a hole", holed, {foldAcross(holed, {0, 5, 0.7}, {0, 1, 0.3})});
-        row("from a hole to the border", holed, {FoldInput{"fold", {{0.09, 0.3}, {0, 0.3}}, {{{1, 0, 0}, {0, 5, 0.23 / 0.53}}}}});
+        row("from a hole to the border", holed,
+            {FoldInput{"fold", {{0.09, 0.3}, {0, 0.3}}, {{{1, 0, 0}, {0, 5, 0.23 / 0.53}}}}});
         PieceInput digitised = strip;
         std::vector<Vec2> corners;
         for (int i = 0; i < 400; ++i) {
@@ -172,7 +174,8 @@ private slots:
             for (PieceInput& piece : input.pieces) {
                 const auto end = [&] {
                     const int loop = random.whole(0, static_cast<int>(piece.holes.size()));
-                    const BoundaryLoop& edges = loop == 0 ? piece.outline : piece.holes[static_cast<std::size_t>(loop - 1)];
+                    const BoundaryLoop& edges =
+                        loop == 0 ? piece.outline : piece.holes[static_cast<std::size_t>(loop - 1)];
                     return FoldEndInput{loop, random.whole(0, static_cast<int>(edges.size()) - 1),
                                         random.chance(0.2) ? 0 : random(0, 1)};
                 };
@@ -222,11 +225,11 @@ private slots:
             << std::vector{foldAcross(strip, {0, 0, 0.5}, {0, 0, 0.5}, {{0.2, 0.05}})} << "ends where it begins";
         QTest::newRow("folds cross") << std::vector{good, foldAcross(strip, {0, 0, 0.6}, {0, 2, 0.6})}
                                      << "crosses or touches fold";
-        QTest::newRow("crosses itself")
-            << std::vector{foldAcross(strip, {0, 0, 0.4}, {0, 2, 0.6}, {{0.3, 0.06}, {0.3, 0.03}, {0.1, 0.05}})}
-            << "itself";
-        QTest::newRow("no such edge")
-            << std::vector{FoldInput{"fold", good.points, {{{0, 0, 0.5}, {0, 9, 0.5}}}}} << "on the border";
+        QTest::newRow("crosses itself") << std::vector{foldAcross(strip, {0, 0, 0.4}, {0, 2, 0.6},
+                                                                  {{0.3, 0.06}, {0.3, 0.03}, {0.1, 0.05}})}
+                                        << "itself";
+        QTest::newRow("no such edge") << std::vector{FoldInput{"fold", good.points, {{{0, 0, 0.5}, {0, 9, 0.5}}}}}
+                                      << "on the border";
     }
     void whatIsNoFoldIsRefused() {
         QFETCH(std::vector<FoldInput>, folds);

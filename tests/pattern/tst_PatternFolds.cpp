@@ -38,7 +38,8 @@ const FoldId crease("l50");
 /// Two panels, the back folded level in the middle.
 Pattern folded() {
     IdSource ids{50};
-    return *addFold(tests::twoPanels(), back, {{{EdgeId("right"), 0.5}, {EdgeId("left"), 0.5}}}, {}, 1.5, "crease", ids);
+    return *addFold(tests::twoPanels(), back, {{{EdgeId("right"), 0.5}, {EdgeId("left"), 0.5}}}, {}, 1.5, "crease",
+                    ids);
 }
 
 const Fold& foldOf(const Pattern& pattern, const PieceId& piece = back) {
@@ -77,9 +78,10 @@ void tst_PatternFolds::whatIsNoFoldIsRefused_data() {
     QTest::addColumn<std::vector<Vec2>>("between");
     QTest::addColumn<double>("angle");
     const Ends level{{{EdgeId("right"), 0.5}, {EdgeId("left"), 0.5}}};
-    QTest::newRow("an edge that is not there") << Ends{{{EdgeId("right"), 0.5}, {EdgeId("sleeve"), 0.5}}}
-                                               << std::vector<Vec2>{} << 1.0;
-    QTest::newRow("beyond the edge") << Ends{{{EdgeId("right"), 1.5}, {EdgeId("left"), 0.5}}} << std::vector<Vec2>{} << 1.0;
+    QTest::newRow("an edge that is not there")
+        << Ends{{{EdgeId("right"), 0.5}, {EdgeId("sleeve"), 0.5}}} << std::vector<Vec2>{} << 1.0;
+    QTest::newRow("beyond the edge") << Ends{{{EdgeId("right"), 1.5}, {EdgeId("left"), 0.5}}} << std::vector<Vec2>{}
+                                     << 1.0;
     QTest::newRow("ends where it begins") << Ends{{level[0], level[0]}} << std::vector<Vec2>{} << 1.0;
     QTest::newRow("leaves the piece") << level << std::vector<Vec2>{{0.15, 0.5}} << 1.0;
     QTest::newRow("along the border") << Ends{{{EdgeId("right"), 0.2}, {EdgeId("right"), 0.8}}} << std::vector<Vec2>{}
@@ -138,7 +140,7 @@ void tst_PatternFolds::anImageShowsItsSourcesFold() {
                             reflected = pointsOf(image, image.folds.front());
     QCOMPARE(reflected.size(), line.size());
     for (std::size_t i = 0; i < line.size(); ++i) QVERIFY(distance(reflected[i], {-line[i].x, line[i].y}) < 1e-12);
-    QCOMPARE(image.folds.front().angle, 1.0); // the same side of the cloth closes
+    QCOMPARE(image.folds.front().angle, 1.0);                // the same side of the cloth closes
     QVERIFY(!removeFold(pattern, PieceId("image"), crease)); // it is the source's
 }
 

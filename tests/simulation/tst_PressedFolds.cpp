@@ -64,7 +64,8 @@ void tst_PressedFolds::aHingeKnowsWhichWayItWasPressed() {
             for (double angle = -pi + 0.01; angle < pi; angle += 0.01) {
                 const double from = cloth::angleFrom(sign * rest, angle);
                 QVERIFY(std::abs(std::remainder(sign * rest + from - angle, 2 * pi)) < 1e-12);
-                if (std::abs(angle) < pi / 2) QVERIFY(from * sign < pi / 2 && std::abs(sign * rest + from - angle) < 1e-12);
+                if (std::abs(angle) < pi / 2)
+                    QVERIFY(from * sign < pi / 2 && std::abs(sign * rest + from - angle) < 1e-12);
             }
 }
 
@@ -98,7 +99,8 @@ void tst_PressedFolds::withoutFoldsNothingIsBuilt() {
     Scene scene = strip(1);
     const auto isLeftOut = [](const Scene& of) {
         const Simulation simulation = simulationOf(of);
-        return std::ranges::any_of(simulation.plan().leftOut(), [](const LeftOut& left) { return left.stage == "folds"; });
+        return std::ranges::any_of(simulation.plan().leftOut(),
+                                   [](const LeftOut& left) { return left.stage == "folds"; });
     };
     QVERIFY(!isLeftOut(scene));
     pattern::Piece flat = *scene.pattern.pieces[0];
@@ -113,8 +115,7 @@ void tst_PressedFolds::withoutFoldsNothingIsBuilt() {
 void tst_PressedFolds::aWeightlessStripRestsAtItsAngle_data() {
     QTest::addColumn<double>("angle");
     QTest::addColumn<double>("askew");
-    for (const double angle : {30.0, 90.0, -90.0, 150.0, 180.0, -180.0})
-        QTest::addRow("%g°", angle) << angle << 0.0;
+    for (const double angle : {30.0, 90.0, -90.0, 150.0, 180.0, -180.0}) QTest::addRow("%g°", angle) << angle << 0.0;
     QTest::newRow("90° askew") << 90.0 << 0.1;
     QTest::newRow("−120° askew") << -120.0 << -0.1;
 }

@@ -103,7 +103,7 @@ void tst_PressFolds::anEndIsDraggedAlongTheBorder() {
     Hand hand = folded();
     hand.drag(tool, {-0.1, 0}, {-0.1, 0.1});
     QVERIFY(distance(pointsOf(hand.piece(0), foldOf(hand))[1], {-0.1, 0.1}) < 1e-6);
-    QVERIFY(!hand.lastKey.empty()); // one step to undo
+    QVERIFY(!hand.lastKey.empty());         // one step to undo
     hand.drag(tool, {-0.1, 0.1}, {0, 0.1}); // it stays on the border
     QVERIFY(std::abs(pointsOf(hand.piece(0), foldOf(hand))[1].x + 0.1) < 1e-6);
 }

@@ -28,17 +28,18 @@ PropertySheet foldSheet(const document::Document& document, const FoldRef& ref) 
         return setting([owner, id, edit](const Pattern& p, auto... value) { return edit(p, owner, id, value...); });
     };
     sheet.rows.push_back({QStringLiteral("name"), tr("Name"),
-                          TextRow{QString::fromStdString(fold->name),
-                                  change([](const Pattern& p, const PieceId& owner, const FoldId& id,
-                                            const QString& name) { return renameFold(p, owner, id, name.toStdString()); })}});
+                          TextRow{QString::fromStdString(fold->name), change([](const Pattern& p, const PieceId& owner,
+                                                                                const FoldId& id, const QString& name) {
+                                      return renameFold(p, owner, id, name.toStdString());
+                                  })}});
     double length = 0;
     const std::vector<Vec2> line = pointsOf(*piece, *fold);
     for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
     sheet.rows.push_back({QStringLiteral("length"), tr("Length"), FactRow{textOf(Quantity::length, length)}});
-    sheet.rows.push_back({QStringLiteral("foldAngle"), tr("Fold angle"),
-                          NumberRow{Quantity::foldAngle, fold->angle, -std::numbers::pi, std::numbers::pi, 5,
-                                    change(pressFold)},
-                          tr("180° is flat; 0° lies right side to right side, 360° wrong side to wrong side.")});
+    sheet.rows.push_back(
+        {QStringLiteral("foldAngle"), tr("Fold angle"),
+         NumberRow{Quantity::foldAngle, fold->angle, -std::numbers::pi, std::numbers::pi, 5, change(pressFold)},
+         tr("180° is flat; 0° lies right side to right side, 360° wrong side to wrong side.")});
     sheet.rows.push_back({QStringLiteral("stiffness"), tr("Stiffness"),
                           NumberRow{Quantity::factor, fold->stiffnessFactor, 0.01, 1000, 0.5, change(setFoldStiffness)},
                           tr("Bending along the fold, as a factor.")});

@@ -81,10 +81,12 @@ Effect PressFolds::move(const Desk& desk, const PointerEvent& event) {
     }
     if (!edge || edge->edge.piece != dragged_->fold.piece) return {};
     const PieceId owner = shapeOwner(desk.document.pattern, dragged_->fold.piece).piece;
-    return effectOf(tr("Move fold"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
-                        return moveFoldEnd(pattern, owner, dragged_->fold.fold, dragged_->end,
-                                           {edge->edge.edge, edge->fraction});
-                    }),
+    return effectOf(tr("Move fold"),
+                    document::edited(desk.document,
+                                     [&](const Pattern& pattern, IdSource&) {
+                                         return moveFoldEnd(pattern, owner, dragged_->fold.fold, dragged_->end,
+                                                            {edge->edge.edge, edge->fraction});
+                                     }),
                     fmt::format("fold {} {} {}", owner.value, dragged_->fold.fold.value, dragged_->end));
 }
 
