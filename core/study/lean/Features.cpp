@@ -262,6 +262,19 @@ Feature seamHinges(double spacing) {
              {Role::inUse, "a merged seam", merged, 0}}};
 }
 
+Feature folds(double spacing) {
+    const Scene sheet = heldSheet(spacing);
+    Scene pressed = sheet;
+    pressed.pattern = eachPiece(sheet.pattern, [](Piece& piece) {
+        pattern::Fold fold;
+        fold.id = pattern::FoldId("fold");
+        fold.ends = {{{piece.outline.edges[1].id, 0.5}, {piece.outline.edges[3].id, 0.5}}};
+        fold.angle = 1;
+        piece.folds = {fold};
+    });
+    return {"folds", "folds", {{Role::absent, "no fold", sheet}, {Role::inUse, "a fold across", pressed, 0}}};
+}
+
 /// A strip of 120 springs that hangs by its upper side.
 Scene longStrip() {
     constexpr double spacing = 0.01;
@@ -321,10 +334,10 @@ std::string_view nameOf(Role role) {
 
 std::vector<Feature> allFeatures(bool quick) {
     const double spacing = quick ? 0.02 : 0.01;
-    return {seams(spacing),         tacks(spacing),       hands(spacing),   bodyContact(spacing),
-            seamsThatMeet(spacing), selfContact(spacing), springs(spacing), cells(spacing),
-            triangles(spacing),     bending(spacing),     twist(spacing),   seamHinges(spacing),
-            slaves(spacing),        pins(spacing),        damping(spacing), coarseLevels(spacing)};
+    return {seams(spacing),       tacks(spacing),       hands(spacing), bodyContact(spacing), seamsThatMeet(spacing),
+            selfContact(spacing), springs(spacing),     cells(spacing), triangles(spacing),   bending(spacing),
+            twist(spacing),       seamHinges(spacing),  folds(spacing), slaves(spacing),      pins(spacing),
+            damping(spacing),     coarseLevels(spacing)};
 }
 
 Feature garmentFeature(const std::string& name, const Scene& scene) {

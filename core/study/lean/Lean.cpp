@@ -32,7 +32,7 @@ std::optional<std::size_t> elementBytes(const cloth::ClothModel& model, std::str
     if (part == "membrane triangles") return held(model.triangles);
     if (part == "bending") return held(model.bending);
     if (part == "twist") return held(model.twist);
-    if (part == "seam hinges") return held(model.hinges);
+    if (part == "seam hinges" || part == "folds") return held(model.hinges);
     return std::nullopt;
 }
 
