@@ -103,7 +103,7 @@ std::vector<Case> fallingCloths(bool full) {
                           .once = true});
     };
     std::vector<Case> cases{falling("falling cloth, 4 000", 1.0 / 64)};
-    if (full) cases.push_back(falling("falling cloth, 40 000", 0.005));
+    if (full) cases.push_back(falling("falling cloth, 40 000", 1.0 / 199));
     return cases;
 }
 
