@@ -42,7 +42,7 @@ struct SewOptions {
     bool paper = false;            ///< the method of the 2002 paper end to end
     bool arrange = false;          ///< pieces that would start in the body are moved out of it
     bool strict = false;           ///< refuses a start that overlaps the body or itself
-    int threads = 1;               ///< asked for; this version computes on one
+    int threads = 0;               ///< 0 = one for each core
     std::string out, report;
     std::string resume;     ///< checkpoint to go on from; empty = from the start
     std::string checkpoint; ///< written at the end, also of a run that is stopped; empty = none

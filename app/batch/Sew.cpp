@@ -45,7 +45,6 @@ void applyOptions(OpenedScene& opened, const SewOptions& options) {
         if (!piece->placement)
             opened.warnings.push_back(
                 {fmt::format("piece \"{}\"", piece->name), "It is not placed, and starts flat in the plane z = 0."});
-    if (options.threads > 1) opened.warnings.push_back({"--threads", "This version computes on one thread."});
 }
 
 /// How the garment overlaps the body or itself before it moves; empty if it does not.
@@ -74,11 +73,12 @@ Result<void> judgeStart(OpenedScene& opened, const simulation::Simulation& simul
 }
 
 Json reportJson(const SewOptions& options, const OpenedScene& opened, const simulation::SewReport& report) {
+    const int threads = Team(options.threads).members();
     Json json;
     json.set("document", options.file).set("avatar", opened.avatar.empty() ? Json() : Json(opened.avatar));
     json.set("method", options.paper ? "paper" : options.method)
         .set("step", opened.scene.settings.frameStep)
-        .set("threads", 1);
+        .set("threads", threads);
     const Json result = simulation::toJson(report);
     for (const auto& [key, value] : *result.asObject()) json.set(key, value);
     return json;
@@ -162,6 +162,7 @@ Result<simulation::Simulation> begun(const SewOptions& options, OpenedScene& ope
         return simulation::Simulation::resumed(opened.scene, overrides, *point);
     }();
     if (!simulation) return simulation;
+    simulation->workWith(std::make_shared<Team>(options.threads));
     if (options.method != dynamics::nameOf(dynamics::Method::xpbd))
         simulation->drapeWith(dynamics::methodNamed(options.method)); // absent for "static"
     if (!options.resume.empty()) return simulation;

@@ -106,10 +106,9 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
             "auto: pieces that would start in the body are moved out of it (on another avatar they always are)")
         ->check(isAuto);
     command->add_flag("--strict", options->strict, "refuse a garment that starts in the body or in itself");
-    command->add_option("--threads", options->threads, "threads to use; this version computes on one whatever is asked")
+    command->add_option("--threads", options->threads, "threads to use at most; all cores by default")
         ->check(CLI::Range(1, 1024));
-    command->add_flag("--deterministic")
-        ->description("the same result whatever the number of threads; this version always gives it");
+    command->add_flag("--deterministic")->description("the same result whatever the number of threads; it always is");
     command
         ->add_option_function<double>(
             "--step", [options](const double& value) { options->step = value; }, "frame step [s]")

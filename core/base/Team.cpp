@@ -3,56 +3,91 @@
 
 #include "core/base/Contracts.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace toile {
+namespace {
 
-Team::~Team() {
-    {
-        const std::lock_guard lock(guard_);
-        dismissed_ = true;
-    }
-    called_.notify_all();
+/// How often a thread looks before it sleeps: some 30 µs on processors whose pause takes 40 to 140 cycles.
+constexpr int patience = 800;
+
+void pause() {
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#elif defined(__aarch64__)
+    asm volatile("yield");
+#endif
 }
 
-void Team::run(int count, const std::function<void(int)>& work) {
+template <class Condition>
+bool happensSoon(const Condition& condition) {
+    for (int i = 0; i < patience; ++i) {
+        if (condition()) return true;
+        pause();
+    }
+    return false;
+}
+
+std::uint32_t untaken(std::uint64_t left) {
+    return static_cast<std::uint32_t>(left);
+}
+
+} // namespace
+
+Team::Team(int members)
+    : members_(members > 0 ? members : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {}
+
+Team::~Team() {
+    dismissed_ = true;
+    ++calls_;
+    calls_.notify_all();
+}
+
+void Team::share(int count, Job job) {
     expects(count >= 0);
-    const int wanted = std::min(count, static_cast<int>(std::thread::hardware_concurrency())) - 1;
-    std::unique_lock lock(guard_);
-    work_ = &work;
-    next_ = 0;
-    count_ = count;
-    while (static_cast<int>(helpers_.size()) < wanted) helpers_.emplace_back([this] { help(); });
-    if (wanted > 0) called_.notify_all();
-    takeTurns(lock);
-    done_.wait(lock, [this] { return busy_ == 0; });
+    if (count == 0) return;
+    while (std::ssize(helpers_) < std::min(count, members_) - 1) helpers_.emplace_back([this] { help(); });
+    job_ = job;
+    undone_.store(count, std::memory_order_relaxed);
+    const std::uint64_t call = (left_.load(std::memory_order_relaxed) >> 32) + 1;
+    left_.store(call << 32 | static_cast<std::uint32_t>(count), std::memory_order_release);
+    if (count > 1) {
+        ++calls_;
+        calls_.notify_all();
+    }
+    while (takeOne()) {
+    }
+    const auto allDone = [this] { return undone_.load(std::memory_order_acquire) == 0; };
+    if (!happensSoon(allDone))
+        for (int undone; (undone = undone_.load(std::memory_order_acquire)) > 0;) undone_.wait(undone);
     if (const std::exception_ptr failure = std::exchange(failure_, nullptr)) std::rethrow_exception(failure);
 }
 
 void Team::help() {
-    std::unique_lock lock(guard_);
     while (!dismissed_) {
-        takeTurns(lock);
-        called_.wait(lock, [this] { return dismissed_ || next_ < count_; });
+        const std::uint32_t seen = calls_;
+        while (takeOne()) {
+        }
+        const auto isCalled = [&] { return calls_.load(std::memory_order_relaxed) != seen; };
+        if (!happensSoon(isCalled)) calls_.wait(seen);
     }
 }
 
-void Team::takeTurns(std::unique_lock<std::mutex>& lock) {
-    ++busy_;
-    while (next_ < count_) {
-        const int i = next_++;
-        std::exception_ptr failure;
-        lock.unlock();
-        try {
-            (*work_)(i);
-        } catch (...) {
-            failure = std::current_exception();
-        }
-        lock.lock();
-        if (failure) failure_ = failure;
+/// False when nothing is left to be taken. What was taken belongs to the call under way, which cannot end before it is
+/// done: only then is the job read.
+bool Team::takeOne() {
+    std::uint64_t left = left_.load(std::memory_order_acquire);
+    do {
+        if (untaken(left) == 0) return false;
+    } while (!left_.compare_exchange_weak(left, left - 1, std::memory_order_acquire));
+    try {
+        job_.call(job_.work, static_cast<int>(untaken(left)) - 1);
+    } catch (...) {
+        const std::lock_guard lock(guard_);
+        failure_ = std::current_exception();
     }
-    if (--busy_ == 0) done_.notify_all();
+    if (undone_.fetch_sub(1, std::memory_order_acq_rel) == 1) undone_.notify_one();
+    return true;
 }
 
 } // namespace toile

@@ -1,40 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <condition_variable>
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <exception>
-#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 namespace toile {
 
-/// Threads that share out work among themselves and whoever calls them: for pieces and files, not for single particles.
-/// They are started when they are needed first and wait between calls.
+/// Threads that share out work among themselves and whoever calls them. They are started when they are needed first.
+/// Between calls they look out for the next one for some microseconds, then sleep: work of 20 µs and more is shared
+/// at a profit where calls follow each other closely.
 class Team {
 public:
-    Team() = default;
+    /// members: with whoever calls; 0 = one for each core.
+    explicit Team(int members = 0);
     ~Team();
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
 
-    /// Does work(0) … work(count − 1), each once and in any order, on all cores; returns when all are done. When calls
-    /// throw, the others still run and one of the exceptions is rethrown. One caller at a time.
-    void run(int count, const std::function<void(int)>& work);
+    [[nodiscard]] int members() const { return members_; }
+
+    /// Does work(0) … work(count − 1), each once and in any order; returns when all are done. When calls throw, the
+    /// others still run and one of the exceptions is rethrown. One caller at a time, and none from within the work.
+    template <class Work>
+    void run(int count, const Work& work) {
+        share(count, {&work, [](const void* what, int i) { (*static_cast<const Work*>(what))(i); }});
+    }
 
 private:
+    struct Job {
+        const void* work = nullptr;
+        void (*call)(const void* work, int i) = nullptr;
+    };
+    void share(int count, Job job);
     void help();
-    void takeTurns(std::unique_lock<std::mutex>& lock);
+    bool takeOne();
 
-    std::mutex guard_; ///< of all below
-    std::condition_variable called_, done_;
-    const std::function<void(int)>* work_ = nullptr;
-    int next_ = 0, count_ = 0; ///< of the work
-    int busy_ = 0;             ///< who works
-    bool dismissed_ = false;
+    int members_;
+    Job job_;                             ///< changes only while nothing is left of it and all is done
+    std::atomic<std::uint64_t> left_{0};  ///< number of the call · 2³² + pieces of work that nobody has taken
+    std::atomic<int> undone_{0};          ///< pieces of work that are not done
+    std::atomic<std::uint32_t> calls_{0}; ///< what helpers sleep on
+    std::atomic<bool> dismissed_{false};
+    std::mutex guard_; ///< of failure_
     std::exception_ptr failure_;
     std::vector<std::jthread> helpers_;
 };
+
+/// Cuts 0 … count − 1 into parts of at least `least` and does work(begin, end) with each. Without a team, or where
+/// nothing would be left for a second one, whoever calls does all at once.
+template <class Work>
+void inParts(Team* team, int count, int least, const Work& work) {
+    constexpr int perMember = 4; // so that who is late leaves more to the others
+    const int parts = team ? std::min(count / least, perMember * team->members()) : 1;
+    if (parts < 2 || team->members() < 2) return work(0, count);
+    const auto border = [&](int part) { return static_cast<int>(std::int64_t{count} * part / parts); };
+    team->run(parts, [&](int part) { work(border(part), border(part + 1)); });
+}
+
+/// The largest of what largestOf(begin, end) gives for such parts, or 0.
+template <class LargestOf>
+double largestInParts(Team* team, int count, int least, const LargestOf& largestOf) {
+    std::atomic<double> largest{0};
+    inParts(team, count, least, [&](int begin, int end) {
+        const double found = largestOf(begin, end);
+        double known = largest;
+        while (found > known && !largest.compare_exchange_weak(known, found)) {
+        }
+    });
+    return largest;
+}
 
 } // namespace toile

@@ -18,19 +18,9 @@ Vec3 higher(const Vec3& a, const Vec3& b) {
     return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
-bool meet(const auto& a, const auto& b) {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-           a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
 template <class Corners>
 bool has(const Corners& corners, int vertex) {
     return std::ranges::find(corners, vertex) != corners.end();
-}
-
-geometry::Box3 widened(const Vec3& low, const Vec3& high, double margin) {
-    const Vec3 wide{margin, margin, margin};
-    return {low - wide, high + wide};
 }
 
 /// The least of what a point of the box has along a direction.
@@ -121,60 +111,81 @@ void SelfProximity::fitNodes() {
     for (std::size_t n = nodes_.size(); n-- > 0;) {
         const Node& node = nodes_[n];
         if (node.second >= 0) {
-            const Box &first = nodeBoxes_[n + 1], &second = nodeBoxes_[node.second];
-            nodeBoxes_[n] = {lower(first.low, second.low), higher(first.high, second.high)};
-            continue;
+            nodeBoxes_[n] = around(nodeBoxes_[n + 1], nodeBoxes_[node.second]);
+        } else {
+            const auto& [a, b, c] = triangles_[node.triangle];
+            nodeBoxes_[n] = around(around(vertexBoxes_[a], vertexBoxes_[b]), vertexBoxes_[c]);
         }
-        const auto& [a, b, c] = triangles_[node.triangle];
-        const Box &boxA = vertexBoxes_[a], &boxB = vertexBoxes_[b], &boxC = vertexBoxes_[c];
-        nodeBoxes_[n] = {lower(lower(boxA.low, boxB.low), boxC.low), higher(higher(boxA.high, boxB.high), boxC.high)};
     }
 }
 
-/// visit(node, node) once for every two leaves whose boxes meet, until it returns false.
+bool SelfProximity::areLeaves(const NodePair& pair) const {
+    return pair[0] != pair[1] && nodes_[pair[0]].second < 0 && nodes_[pair[1]].second < 0;
+}
+
+/// What is below two nodes that are no leaves, and near each other; the last is visited first.
+void SelfProximity::appendBelow(const NodePair& pair, std::vector<NodePair>& todo) const {
+    const auto [a, b] = pair;
+    const Node &first = nodes_[a], &second = nodes_[b];
+    if (a == b) {
+        if (first.second < 0) return;
+        todo.push_back({first.second, first.second});
+        todo.push_back({a + 1, a + 1});
+        if (meet(nodeBoxes_[a + 1], nodeBoxes_[first.second])) todo.push_back({a + 1, first.second});
+    } else if (second.second < 0 || (first.second >= 0 && first.second - a >= second.second - b)) {
+        if (meet(nodeBoxes_[a + 1], nodeBoxes_[b])) todo.push_back({a + 1, b});
+        if (meet(nodeBoxes_[first.second], nodeBoxes_[b])) todo.push_back({first.second, b});
+    } else {
+        if (meet(nodeBoxes_[a], nodeBoxes_[b + 1])) todo.push_back({a, b + 1});
+        if (meet(nodeBoxes_[a], nodeBoxes_[second.second])) todo.push_back({a, second.second});
+    }
+}
+
+/// visit(leaves) once for every two leaves below these nodes whose boxes meet, until it returns false.
 template <class Visit>
-void SelfProximity::forNearTriangles(const Visit& visit) const {
-    if (nodes_.empty()) return;
-    std::vector<std::array<int, 2>> todo{{0, 0}};
+void SelfProximity::forNearTriangles(const NodePair& from, const Visit& visit) const {
+    std::vector<NodePair> todo{from};
     while (!todo.empty()) {
-        const auto [a, b] = todo.back();
+        const NodePair pair = todo.back();
         todo.pop_back();
-        const Node &first = nodes_[a], &second = nodes_[b];
-        if (a == b) {
-            if (first.second < 0) continue;
-            todo.push_back({first.second, first.second});
-            todo.push_back({a + 1, a + 1});
-            if (meet(nodeBoxes_[a + 1], nodeBoxes_[first.second])) todo.push_back({a + 1, first.second});
-        } else if (first.second < 0 && second.second < 0) {
-            if (!visit(a, b)) return;
-        } else if (second.second < 0 || (first.second >= 0 && first.second - a >= second.second - b)) {
-            if (meet(nodeBoxes_[a + 1], nodeBoxes_[b])) todo.push_back({a + 1, b});
-            if (meet(nodeBoxes_[first.second], nodeBoxes_[b])) todo.push_back({first.second, b});
-        } else {
-            if (meet(nodeBoxes_[a], nodeBoxes_[b + 1])) todo.push_back({a, b + 1});
-            if (meet(nodeBoxes_[a], nodeBoxes_[second.second])) todo.push_back({a, second.second});
+        if (!areLeaves(pair)) appendBelow(pair, todo);
+        else if (!visit(pair)) return;
+    }
+}
+
+/// Pairs of nodes, some `count` of them, below which all near leaves are found, in the order of a search from the root.
+std::vector<SelfProximity::NodePair> SelfProximity::sharesOfSearch(std::size_t count) const {
+    if (nodes_.empty()) return {};
+    std::vector<NodePair> shares{{0, 0}}, next, below;
+    while (shares.size() < count && shares != next) {
+        next = std::move(shares);
+        shares.clear();
+        for (const NodePair& pair : next) {
+            below.clear();
+            if (areLeaves(pair)) below.push_back(pair);
+            else appendBelow(pair, below);
+            shares.insert(shares.end(), below.rbegin(), below.rend());
         }
     }
+    return shares;
 }
 
 SelfProximity::Pairs SelfProximity::pairsWithin(double reach, std::span<const Vec3> positions, std::size_t most) {
-    for (std::size_t v = 0; v < vertexBoxes_.size(); ++v)
-        vertexBoxes_[v] = widened(positions[v], positions[v], 0.5 * reach);
-    return collect(positions, most, [&](const ElementPair&, const Separation& at) { return at.distance <= reach; });
+    for (std::size_t v = 0; v < vertexBoxes_.size(); ++v) vertexBoxes_[v] = {{positions[v], positions[v]}, 0.5 * reach};
+    return collect(positions, most, nullptr,
+                   [&](const ElementPair&, const Separation& at) { return at.distance <= reach; });
 }
 
-/// What all do together brings nothing nearer: boxes hold what each does beside it. The gap along a direction
-/// that stays the same is a concave function of the time, so that between two ends it is not less than at both.
+/// The gap along a direction that stays the same is a concave function of the time, so that between two ends it is not
+/// less than at both.
 SelfProximity::Pairs SelfProximity::pairsInStep(double reach, std::span<const Vec3> positions,
-                                                std::span<const Vec3> moves, std::size_t most) {
-    Vec3 common;
-    for (const Vec3& move : moves) common += move / static_cast<double>(moves.size());
+                                                std::span<const Vec3> moves, std::size_t most, Team* team) {
     std::vector<Vec3> ends(positions.size());
     for (std::size_t v = 0; v < ends.size(); ++v) {
-        ends[v] = positions[v] + (moves[v] - common);
-        vertexBoxes_[v] = widened(lower(positions[v], ends[v]), higher(positions[v], ends[v]), 0.5 * reach);
+        ends[v] = positions[v] + moves[v];
+        vertexBoxes_[v] = {{positions[v], positions[v]}, 0.5 * reach, moves[v]};
     }
-    return collect(positions, most, [&](const ElementPair& pair, const Separation& start) {
+    return collect(positions, most, team, [&](const ElementPair& pair, const Separation& start) {
         if (start.distance <= reach) return true;
         const Vec3 direction = start.way / start.distance;
         return gapAlong(direction, pair, positions) <= reach || gapAlong(direction, pair, ends) <= reach;
@@ -182,57 +193,75 @@ SelfProximity::Pairs SelfProximity::pairsInStep(double reach, std::span<const Ve
 }
 
 SelfProximity::Pairs SelfProximity::pairsInBoxes(double reach, std::span<const Vec3> positions,
-                                                 std::span<const geometry::Box3> boxes, std::size_t most) {
+                                                 std::span<const geometry::Box3> boxes, std::size_t most, Team* team) {
     for (std::size_t v = 0; v < vertexBoxes_.size(); ++v)
-        vertexBoxes_[v] = widened(positions[v] + boxes[v].low, positions[v] + boxes[v].high, 0.5 * reach);
-    return collect(positions, most, [&](const ElementPair& pair, const Separation& start) {
+        vertexBoxes_[v] = {{positions[v] + boxes[v].low, positions[v] + boxes[v].high}, 0.5 * reach};
+    return collect(positions, most, team, [&](const ElementPair& pair, const Separation& start) {
         return start.distance <= reach || leastGapAlong(start.way / start.distance, pair, positions, boxes) <= reach;
     });
 }
 
-/// The pairs whose boxes meet and of which mayMeet(pair, separation) says so.
-template <class MayMeet>
-SelfProximity::Pairs SelfProximity::collect(std::span<const Vec3> positions, std::size_t most, const MayMeet& mayMeet) {
-    fitNodes();
-    std::vector<Near> found;
-    const auto keepIfNear = [&](const ElementPair& pair) {
-        const Separation separation = separationOf(pair, positions);
-        if (mayMeet(pair, separation)) found.push_back({pair, separation.distance});
-    };
+/// keep(pair) for the pairs of elements that two triangles speak for and whose boxes meet.
+template <class Keep>
+void SelfProximity::visitElements(const NodePair& leaves, const Keep& keep) const {
     const auto cornersAgainst = [&](int speaker, int node) {
         const auto& corners = triangles_[nodes_[node].triangle];
         for (const int v : represented_[speaker].corners)
             if (v >= 0 && meet(vertexBoxes_[v], nodeBoxes_[node]) && !has(corners, v))
-                keepIfNear({{v, corners[0], corners[1], corners[2]}, 1});
+                keep({{v, corners[0], corners[1], corners[2]}, 1});
     };
     const auto boxOf = [&](const std::array<int, 2>& edge) {
-        const Box &p = vertexBoxes_[edge[0]], &q = vertexBoxes_[edge[1]];
-        return Box{lower(p.low, q.low), higher(p.high, q.high)};
+        return around(vertexBoxes_[edge[0]], vertexBoxes_[edge[1]]);
     };
-    forNearTriangles([&](int a, int b) {
-        const int first = nodes_[a].triangle, second = nodes_[b].triangle;
-        cornersAgainst(first, b);
-        cornersAgainst(second, a);
-        for (const int e : represented_[first].edges) {
-            if (e < 0) continue;
-            const auto& edge = edges_[e].vertices;
-            const Box box = boxOf(edge);
-            if (!meet(box, nodeBoxes_[b])) continue;
-            for (const int f : represented_[second].edges) {
-                if (f < 0) continue;
-                const auto& other = edges_[f].vertices;
-                if (!has(other, edge[0]) && !has(other, edge[1]) && meet(box, boxOf(other)))
-                    keepIfNear({{edge[0], edge[1], other[0], other[1]}, 2});
-            }
+    const auto [a, b] = leaves;
+    const int first = nodes_[a].triangle, second = nodes_[b].triangle;
+    cornersAgainst(first, b);
+    cornersAgainst(second, a);
+    for (const int e : represented_[first].edges) {
+        if (e < 0) continue;
+        const auto& edge = edges_[e].vertices;
+        const SweptBox box = boxOf(edge);
+        if (!meet(box, nodeBoxes_[b])) continue;
+        for (const int f : represented_[second].edges) {
+            if (f < 0) continue;
+            const auto& other = edges_[f].vertices;
+            if (!has(other, edge[0]) && !has(other, edge[1]) && meet(box, boxOf(other)))
+                keep({{edge[0], edge[1], other[0], other[1]}, 2});
         }
-        return found.size() <= most;
-    });
-    if (found.size() > most) return std::nullopt;
-    return found;
+    }
+}
+
+/// The pairs whose boxes meet and of which mayMeet(pair, separation) says so.
+template <class MayMeet>
+SelfProximity::Pairs SelfProximity::collect(std::span<const Vec3> positions, std::size_t most, Team* team,
+                                            const MayMeet& mayMeet) {
+    constexpr std::size_t wanted = 64; ///< many more than threads, for they take unequal times
+    fitNodes();
+    const std::vector<NodePair> shares = sharesOfSearch(team && team->members() > 1 ? wanted : 1);
+    std::vector<std::vector<Near>> found(shares.size());
+    const auto search = [&](int s) {
+        forNearTriangles(shares[s], [&](const NodePair& leaves) {
+            visitElements(leaves, [&](const ElementPair& pair) {
+                const Separation separation = separationOf(pair, positions);
+                if (mayMeet(pair, separation)) found[s].push_back({pair, separation.distance});
+            });
+            return found[s].size() <= most;
+        });
+    };
+    if (team) team->run(static_cast<int>(shares.size()), search);
+    else if (!shares.empty()) search(0);
+    std::size_t count = 0;
+    for (const auto& share : found) count += share.size();
+    if (count > most) return std::nullopt;
+    if (found.size() == 1) return std::move(found.front());
+    std::vector<Near> all;
+    all.reserve(count);
+    for (const auto& share : found) all.insert(all.end(), share.begin(), share.end());
+    return all;
 }
 
 std::vector<Piercing> SelfProximity::piercings(std::span<const Vec3> positions) {
-    for (std::size_t v = 0; v < vertexBoxes_.size(); ++v) vertexBoxes_[v] = {positions[v], positions[v]};
+    for (std::size_t v = 0; v < vertexBoxes_.size(); ++v) vertexBoxes_[v] = {{positions[v], positions[v]}, 0};
     fitNodes();
     std::vector<Piercing> found;
     const auto edgesAgainst = [&](int speaker, int triangle) {
@@ -246,11 +275,13 @@ std::vector<Piercing> SelfProximity::piercings(std::span<const Vec3> positions) 
                 found.push_back({e, triangle});
         }
     };
-    forNearTriangles([&](int a, int b) {
-        edgesAgainst(nodes_[a].triangle, nodes_[b].triangle);
-        edgesAgainst(nodes_[b].triangle, nodes_[a].triangle);
-        return true;
-    });
+    for (const NodePair& whole : sharesOfSearch(1))
+        forNearTriangles(whole, [&](const NodePair& leaves) {
+            const int first = nodes_[leaves[0]].triangle, second = nodes_[leaves[1]].triangle;
+            edgesAgainst(first, second);
+            edgesAgainst(second, first);
+            return true;
+        });
     std::ranges::sort(found);
     return found;
 }
@@ -258,7 +289,7 @@ std::vector<Piercing> SelfProximity::piercings(std::span<const Vec3> positions) 
 std::size_t SelfProximity::bytes() const {
     return triangles_.capacity() * sizeof(geometry::TriangleIndices) + edges_.capacity() * sizeof(SurfaceEdge) +
            represented_.capacity() * sizeof(Represented) + nodes_.capacity() * sizeof(Node) +
-           (vertexBoxes_.capacity() + nodeBoxes_.capacity()) * sizeof(Box);
+           (vertexBoxes_.capacity() + nodeBoxes_.capacity()) * sizeof(SweptBox);
 }
 
 } // namespace toile::collision

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Team.h"
 #include "core/collision/ElementPair.h"
+#include "core/collision/SweptBox.h"
 #include "core/geometry/TriangleMesh.h"
 
 #include <array>
@@ -30,6 +32,7 @@ struct Piercing {
 /// Triangles lie under a binary hierarchy of boxes, whose shape is fixed by where they are at first and whose
 /// boxes are made anew for every search. Each corner and each edge belongs to one triangle, so that a pair is
 /// met once (Curtis et al. 2008, representative triangles). Elements with a common corner are never a pair.
+/// A team shares out the search; the pairs and their order are the same.
 class SelfProximity {
 public:
     /// No triangle names a vertex twice.
@@ -53,17 +56,17 @@ public:
     /// Every pair that can come nearer than `reach` [m] while all vertices go together, on straight ways and
     /// in step, from their positions by their moves.
     [[nodiscard]] Pairs pairsInStep(double reach, std::span<const Vec3> positions, std::span<const Vec3> moves,
-                                    std::size_t most = unlimited);
+                                    std::size_t most = unlimited, Team* team = nullptr);
     /// Every pair that can come nearer than `reach` [m] while each vertex is anywhere in a box of its own, seen
     /// from its position.
     [[nodiscard]] Pairs pairsInBoxes(double reach, std::span<const Vec3> positions,
-                                     std::span<const geometry::Box3> boxes, std::size_t most = unlimited);
+                                     std::span<const geometry::Box3> boxes, std::size_t most = unlimited,
+                                     Team* team = nullptr);
 
     /// Edges that pass through triangles they have no corner in common with, in rising order.
     [[nodiscard]] std::vector<Piercing> piercings(std::span<const Vec3> positions);
 
 private:
-    using Box = geometry::Box3;
     struct Node {
         int second = -1;   ///< the first child follows its parent; −1 = leaf
         int triangle = -1; ///< of a leaf
@@ -76,16 +79,22 @@ private:
     void findEdges();
     int build(std::span<int> triangles, std::span<const Vec3> centres);
     void fitNodes();
+    using NodePair = std::array<int, 2>;
+    void appendBelow(const NodePair& pair, std::vector<NodePair>& todo) const;
+    [[nodiscard]] bool areLeaves(const NodePair& pair) const;
     template <class Visit>
-    void forNearTriangles(const Visit& visit) const;
+    void forNearTriangles(const NodePair& from, const Visit& visit) const;
+    [[nodiscard]] std::vector<NodePair> sharesOfSearch(std::size_t count) const;
+    template <class Keep>
+    void visitElements(const NodePair& leaves, const Keep& keep) const;
     template <class MayMeet>
-    Pairs collect(std::span<const Vec3> positions, std::size_t most, const MayMeet& mayMeet);
+    Pairs collect(std::span<const Vec3> positions, std::size_t most, Team* team, const MayMeet& mayMeet);
 
     std::vector<geometry::TriangleIndices> triangles_;
     std::vector<SurfaceEdge> edges_;
     std::vector<Represented> represented_;
     std::vector<Node> nodes_;
-    std::vector<Box> vertexBoxes_, nodeBoxes_;
+    std::vector<SweptBox> vertexBoxes_, nodeBoxes_;
 };
 
 } // namespace toile::collision

@@ -14,6 +14,8 @@ namespace {
 
 /// Overlaps deeper than this are led out at the bounded speed and no faster [m].
 constexpr double deepOverlap = 0.001;
+/// Samples in a thread's part at least: where none asks the body, they take some microseconds.
+constexpr int leastShare = 1000;
 
 /// Gershgorin rows of what the samples add to M⁻¹K [1/s²]. Particles that have no sample of their own are
 /// carried by others; their mass is not known here.
@@ -78,6 +80,14 @@ BodyContact::BodyContact(const collision::BodySurface& body, std::vector<Contact
                             0});
         for (const auto& [particle, weight] : given.particles) terms_.push_back({particle, weight});
     }
+    std::vector<bool> taken(terms_.empty() ? 0 : std::ranges::max(terms_, {}, &Term::particle).particle + 1);
+    for (int s = 0; s < std::ssize(samples_); ++s) {
+        const int particle = termsOf(samples_[s])[0].particle;
+        const bool isAlone = samples_[s].termCount == 1 && !taken[particle];
+        (isAlone ? alone_ : blends_).push_back(s);
+        if (isAlone) taken[particle] = true;
+    }
+    std::ranges::reverse(blends_);
     frequencySquared_ = boundOf(samples, settings);
 }
 
@@ -86,7 +96,8 @@ double BodyContact::largestFrequencySquared() const {
 }
 
 std::size_t BodyContact::bytes() const {
-    return terms_.capacity() * sizeof(Term) + samples_.capacity() * sizeof(Sample) + tracker_.bytes() +
+    return terms_.capacity() * sizeof(Term) + samples_.capacity() * sizeof(Sample) +
+           (blends_.capacity() + alone_.capacity()) * sizeof(int) + tracker_.bytes() +
            (pushing_ ? sizeof(Pushing) + pushing_->distance.bytes() +
                            pushing_->patches.capacity() * sizeof(collision::SmoothDistance::Patch) +
                            pushing_->anchors.capacity() * sizeof(Vec3) + pushing_->near.capacity() * sizeof(int)
@@ -96,26 +107,27 @@ std::size_t BodyContact::bytes() const {
 void BodyContact::project(Substep& substep) {
     if (pushing_) pushing_->anchors.clear();
     const ContactPace pace(substep.duration, settings_.pushOutTime, settings_.pushOutSpeed);
-    // From the last to the first: particles come first in the list, and where samples between them have pushed them
-    // aside their own friction must still hold them. The other way round a tight band creeps round its body.
-    for (std::size_t s = samples_.size(); s-- > 0;) {
-        Sample& sample = samples_[s];
-        const Vec3 now = at(sample, substep.positions);
-        if (tracker_.stillFar(s, now, sample.distance)) {
-            sample.normalForce = 0;
-            continue;
-        }
-        sample.normalForce *= pace.remembered();
-        const Vec3 before = at(sample, substep.previous);
-        if (squaredLength(now - before) > sample.distance * sample.distance) { // could have crossed the skin
-            if (const auto touch = collision::firstTouch(tracker_.body(), before, now, sample.distance)) {
-                resolve(sample, {touch->point, touch->normal}, now, before, pace, substep);
-                continue;
-            }
-        }
-        if (const auto* near = tracker_.near(s, now, sample.distance))
-            resolve(sample, *near, now, before, pace, substep);
+    // Particles come last: where samples between them have pushed them aside their own friction must still hold them.
+    // The other way round a tight band creeps round its body.
+    for (const int s : blends_) meet(s, pace, substep);
+    inParts(substep.team, static_cast<int>(alone_.size()), leastShare, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) meet(alone_[i], pace, substep);
+    });
+}
+
+void BodyContact::meet(std::size_t s, const ContactPace& pace, Substep& substep) {
+    Sample& sample = samples_[s];
+    const Vec3 now = at(sample, substep.positions);
+    if (tracker_.stillFar(s, now, sample.distance)) {
+        sample.normalForce = 0;
+        return;
     }
+    sample.normalForce *= pace.remembered();
+    const Vec3 before = at(sample, substep.previous);
+    if (squaredLength(now - before) > sample.distance * sample.distance) // could have crossed the skin
+        if (const auto touch = collision::firstTouch(tracker_.body(), before, now, sample.distance))
+            return resolve(sample, {touch->point, touch->normal}, now, before, pace, substep);
+    if (const auto* near = tracker_.near(s, now, sample.distance)) resolve(sample, *near, now, before, pace, substep);
 }
 
 void BodyContact::resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now, const Vec3& before,

@@ -114,6 +114,7 @@ private:
         for (int k = 0; k < sample.termCount; ++k) sum += positions[term[k].particle] * term[k].weight;
         return sum;
     }
+    void meet(std::size_t sample, const ContactPace& pace, Substep& substep);
     void resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now, const Vec3& before,
                  const ContactPace& pace, Substep& substep) const;
     [[nodiscard]] std::optional<collision::SmoothValue> dentingAt(int sample, const Vec3& now) const;
@@ -122,7 +123,8 @@ private:
     BodyContactSettings settings_;
     std::vector<Term> terms_;
     std::vector<Sample> samples_;
-    double frequencySquared_ = 0; ///< [1/s²]
+    std::vector<int> blends_, alone_; ///< samples that have a particle in common with others, and those that have not
+    double frequencySquared_ = 0;     ///< [1/s²]
     collision::SurfaceTracker tracker_;
     std::unique_ptr<Pushing> pushing_;
 };

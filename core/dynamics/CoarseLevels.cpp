@@ -27,6 +27,26 @@ Vec3 weighted(const std::array<double, 3>& weights, const std::array<Vec3, 3>& x
     return weights[0] * x[0] + weights[1] * x[1] + weights[2] * x[2];
 }
 
+/// Of which a thread's part holds at least so many: it takes some microseconds.
+struct LeastShare {
+    int particles, centres, triangles;
+};
+constexpr LeastShare leastShare{1500, 400, 120};
+
+/// Each coarse particle as the centre of mass of what follows it: the same weights, by coarse particle.
+Prolongation centresOf(const Prolongation& toFiner, std::span<const double> finerMass, std::span<const double> mass) {
+    std::vector<std::vector<Prolongation::Term>> rows(mass.size());
+    for (int p = 0; p < toFiner.count(); ++p)
+        for (const auto& [coarse, weight] : toFiner.of(p))
+            if (mass[coarse] > 0) rows[coarse].push_back({p, weight * finerMass[p] / mass[coarse]});
+    Prolongation centres{{0}, {}};
+    for (const auto& row : rows) {
+        centres.terms.insert(centres.terms.end(), row.begin(), row.end());
+        centres.begin.push_back(static_cast<int>(centres.terms.size()));
+    }
+    return centres;
+}
+
 double mixed(double before, double now, double old) {
     return old > 0 ? old * before + (1 - old) * now : now;
 }
@@ -74,8 +94,12 @@ CoarseLevels::CoarseLevels(const LevelMesh& fine, std::span<const LevelMesh> coa
             level.inverseMass.push_back(pinned[c] || level.mass[c] <= 0 ? 0 : 1 / level.mass[c]);
 
         level.triangles = compiled(mesh);
-        const std::vector<int> order =
-            colouredOrder(level.triangles, mesh.particles, [](const Triangle& t) { return t.particles; });
+        level.centres = centresOf(level.toFiner, finerMass, level.mass);
+
+        const std::vector<int> colours =
+            coloursOf(level.triangles, mesh.particles, [](const Triangle& t) { return t.particles; });
+        const std::vector<int> order = orderByColour(colours);
+        level.borders = bordersOfColours(colours);
         std::vector<int> placeOf(order.size());
         for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i]] = static_cast<int>(i);
         level.triangles = inOrder(level.triangles, order);
@@ -89,6 +113,7 @@ CoarseLevels::CoarseLevels(const LevelMesh& fine, std::span<const LevelMesh> coa
         for (std::size_t t = 0; t < held.size(); ++t) level.triangles[t].area = held[t];
         level.actions.assign(level.triangles.size(), {.weft = infinite, .warp = infinite});
         level.positions.resize(mesh.particles);
+        level.before.resize(mesh.particles);
         level.meanU.resize(level.triangles.size());
         level.meanV.resize(level.triangles.size());
         levels_.push_back(std::move(level));
@@ -164,20 +189,17 @@ void CoarseLevels::compileFor(double h, double cap) {
 
 /// A coarse particle is the centre of mass of what follows it. Then a force between coarse particles along the line
 /// between them turns nothing: angular momentum is kept, and a tube on a smooth body does not begin to spin.
-void CoarseLevels::gather(std::span<const Vec3> positions) {
+void CoarseLevels::gather(std::span<const Vec3> positions, Team* team) {
     std::span<const Vec3> from = positions;
-    std::span<const double> mass = mass_;
     for (Level& level : levels_) {
-        std::ranges::fill(level.positions, Vec3{});
-        for (int p = 0; p < level.toFiner.count(); ++p) {
-            const Vec3 moment = mass[p] * from[p];
-            for (const auto& [coarse, weight] : level.toFiner.of(p)) level.positions[coarse] += weight * moment;
-        }
-        for (std::size_t c = 0; c < level.mass.size(); ++c)
-            if (level.mass[c] > 0) level.positions[c] = level.positions[c] / level.mass[c];
-        level.before = level.positions;
+        inParts(team, level.centres.count(), leastShare.centres, [&](int begin, int end) {
+            for (int c = begin; c < end; ++c) {
+                Vec3 sum;
+                for (const auto& [finer, share] : level.centres.of(c)) sum += share * from[finer];
+                level.positions[c] = level.before[c] = sum;
+            }
+        });
         from = level.positions;
-        mass = level.mass;
     }
 }
 
@@ -215,25 +237,27 @@ void CoarseLevels::measure(std::span<const Vec3> positions) {
     }
 }
 
-void CoarseLevels::correct(std::span<Vec3> positions) {
-    gather(positions);
+void CoarseLevels::correct(std::span<Vec3> positions, Team* team) {
+    gather(positions, team);
     for (std::size_t l = levels_.size(); l-- > 0;) {
         Level& level = levels_[l];
-        sweep(level);
+        byColours(team, level.borders, leastShare.triangles, [&](int begin, int end) { sweep(level, begin, end); });
         for (std::size_t c = 0; c < level.positions.size(); ++c) level.before[c] = level.positions[c] - level.before[c];
         const std::span<const double> inverseMass = l > 0 ? levels_[l - 1].inverseMass : inverseMass_;
         const std::span<Vec3> finer = l > 0 ? std::span<Vec3>(levels_[l - 1].positions) : positions;
-        for (int p = 0; p < level.toFiner.count(); ++p) {
-            if (inverseMass[p] == 0) continue;
-            Vec3 move;
-            for (const auto& [coarse, weight] : level.toFiner.of(p)) move += weight * level.before[coarse];
-            finer[p] += move;
-        }
+        inParts(team, level.toFiner.count(), leastShare.particles, [&](int begin, int end) {
+            for (int p = begin; p < end; ++p) {
+                if (inverseMass[p] == 0) continue;
+                Vec3 move;
+                for (const auto& [coarse, weight] : level.toFiner.of(p)) move += weight * level.before[coarse];
+                finer[p] += move;
+            }
+        });
     }
 }
 
-void CoarseLevels::sweep(Level& level) {
-    for (std::size_t i = 0; i < level.triangles.size(); ++i) {
+void CoarseLevels::sweep(Level& level, int begin, int end) {
+    for (int i = begin; i < end; ++i) {
         const Triangle& t = level.triangles[i];
         const Action& action = level.actions[i];
         if (action.weft == infinite) continue;
@@ -267,7 +291,8 @@ std::size_t CoarseLevels::bytes() const {
         sum +=
             (level.mass.capacity() + level.inverseMass.capacity()) * sizeof(double) +
             level.triangles.capacity() * sizeof(Triangle) + level.actions.capacity() * sizeof(Action) +
-            level.toFiner.begin.capacity() * sizeof(int) + level.toFiner.terms.capacity() * sizeof(Prolongation::Term) +
+            (level.toFiner.begin.capacity() + level.centres.begin.capacity() + level.borders.capacity()) * sizeof(int) +
+            (level.toFiner.terms.capacity() + level.centres.terms.capacity()) * sizeof(Prolongation::Term) +
             (level.positions.capacity() + level.before.capacity() + level.meanU.capacity() + level.meanV.capacity()) *
                 sizeof(Vec3);
     return sum;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Team.h"
 #include "core/dynamics/LevelMesh.h"
 #include "core/dynamics/Prolongation.h"
 
@@ -27,8 +28,8 @@ public:
     void beginStep(std::span<const Vec3> positions, double h, double cap);
     /// Drops what was measured in the frame steps before.
     void forget();
-    /// Moves what is not pinned.
-    void correct(std::span<Vec3> positions);
+    /// Moves what is not pinned. With a team the work is shared out where it is much: the bits are the same.
+    void correct(std::span<Vec3> positions, Team* team = nullptr);
 
     /// The least mass of a coarse particle over the mean of its level. Near zero where a piece is narrower than the
     /// cells of a level: such a particle stands for no cloth, and what acts on it flings it.
@@ -57,16 +58,18 @@ private:
     struct Level {
         std::vector<double> mass, inverseMass;
         std::vector<Triangle> triangles; ///< in the order of the sweep
+        std::vector<int> borders;        ///< triangles between two of them share no particle
         Prolongation toFiner;
+        Prolongation centres; ///< of each coarse particle, what it is the centre of mass of, with shares of its mass
         std::vector<Action> actions;
         std::vector<Vec3> positions, before; ///< now, and before this level's sweep
         std::vector<Vec3> meanU, meanV;      ///< F_u, F_v of each triangle, the mean over the cloth in it
     };
 
     void compileFor(double h, double cap);
-    void gather(std::span<const Vec3> positions);
+    void gather(std::span<const Vec3> positions, Team* team = nullptr);
     void measure(std::span<const Vec3> positions);
-    static void sweep(Level& level);
+    static void sweep(Level& level, int begin, int end);
 
     std::vector<Triangle> fine_;
     std::vector<double> mass_, inverseMass_;

@@ -32,13 +32,18 @@ SelfContact::SelfContact(const cloth::ClothModel& model, ClothSurface surface, S
         for (const auto& [master, weight] : slave.masters) mass_[slave.particle] += weight * model.mass[master];
     }
     for (const double half : surface_.halfThickness) thickest_ = std::max(thickest_, 2 * half);
+    std::vector<double> rooms = surface_.room;
+    const auto middle = rooms.begin() + std::ssize(rooms) / 2;
+    std::nth_element(rooms.begin(), middle, rooms.end());
+    mostSlack_ = rooms.empty() ? settings_.slack : std::min(settings_.slack, settings_.slackOfRoom * *middle);
 }
 
 std::size_t SelfContact::bytes() const {
     const std::size_t vectors =
         from_.capacity() + moves_.capacity() + wanted_.capacity() + anchors_.capacity() + iterationStart_.capacity();
-    return vectors * sizeof(Vec3) + watches_.capacity() * sizeof(Watch) + contacts_.capacity() * sizeof(Contact) +
-           (proximity_ ? proximity_->bytes() : 0);
+    return vectors * sizeof(Vec3) + flags_.capacity() + watches_.capacity() * sizeof(Watch) +
+           contacts_.capacity() * sizeof(Contact) + margins_.capacity() * sizeof(Margin) +
+           awake_.capacity() * sizeof(std::size_t) + (proximity_ ? proximity_->bytes() : 0);
 }
 
 void SelfContact::beginStep(const ParticleState&, double duration) {
@@ -50,33 +55,44 @@ void SelfContact::beginStep(const ParticleState&, double duration) {
 void SelfContact::project(Substep& substep) {
     anchors_.clear();
     ++substep_;
-    if (!foreseen(substep.positions, substep.time) && !foresee(substep)) return standStill(substep);
+    double from = strayed(substep);
+    if (!(from <= slack_)) {
+        if (!foresee(substep)) return standStill(substep);
+        from = strayed(substep);
+    }
+    wake(from, substep);
     pushApart(substep);
     uncross(substep);
     placeSlaves(substep.positions);
-    holdApart(substep);
-    if (foreseen(substep.positions, substep.time)) return;
-    if (seekOnAllWays(substep)) holdApart(substep);
+    if (holdApart(substep) <= slack_) return;
+    if (seekOnAllWays(substep)) static_cast<void>(holdApart(substep));
     else standStill(substep);
 }
 
 /// Layers that would come nearer than their thickness are lifted to it.
 void SelfContact::pushApart(Substep& substep) {
     const ContactPace pace(substep.duration, settings_.pushOutTime, settings_.pushOutSpeed);
-    touching_.clear();
-    for (std::size_t i = 0; i < watches_.size(); ++i) {
-        Watch& watch = watches_[i];
-        watch.before = watch.now;
-        watch.now = leastDistance(watch, substep.positions);
-        if (watch.now > watch.target && watch.before > 0) continue;
-        Contact& contact = contacts_[i];
-        if (gapAlong(contact.direction, watch.elements, substep.positions) > watch.target) continue;
-        if (meetsOnTheWay(watch, contact, substep)) touching_.push_back(i);
-    }
+    flags_.resize(awake_.size());
+    inParts(substep.team, static_cast<int>(awake_.size()), leastPairs, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) flags_[i] = touches(awake_[i], substep);
+    });
+    keepFlagged(awake_, touching_);
     for (int sweep = 0; sweep < settings_.sweeps; ++sweep) {
         for (const std::size_t i : touching_) push(watches_[i], contacts_[i], pace, substep);
         if (!model_.slaves.empty()) placeSlaves(substep.positions);
     }
+}
+
+/// Whether the layers of a pair would come nearer than their thickness; its distances are those of this substep from
+/// now on.
+bool SelfContact::touches(std::size_t pair, const Substep& substep) {
+    Watch& watch = watches_[pair];
+    Contact& contact = contacts_[pair];
+    watch.before = watch.now;
+    watch.now = leastDistance(watch, substep.positions);
+    if (watch.now > watch.target && watch.before > 0) return false;
+    if (gapAlong(contact.direction, watch.elements, substep.positions) > watch.target) return false;
+    return meetsOnTheWay(watch, contact, substep);
 }
 
 /// The shortest way at the end of the substep counts, if along it they were clearly on the same sides at its

@@ -29,6 +29,8 @@ struct ClothSurface {
 
 struct SelfContactSettings {
     double slack = 0.002;      ///< a particle may leave the way foreseen by this before neighbours are sought anew [m]
+    double slackOfRoom = 0.3;  ///< and by so much of the middle room of particles: where more is allowed, fine cloth
+                               ///< is watched against itself cell by cell [–]
     double pushOutSpeed = 0.5; ///< at most, of layers that are too near at the start of a substep [m/s]
     double pushOutTime = 0.01; ///< in which a small overlap falls to 1/e [s]
     double keptDistance = 0.1; ///< part of its distance that a pair keeps in one substep whatever pulls [–]
@@ -82,13 +84,19 @@ public:
     [[nodiscard]] int shortSearches() const { return shortSearches_; }
 
 private:
-    /// What every substep reads of every pair that is near.
+    /// What every substep reads of every pair that is awake.
     struct Watch {
         collision::ElementPair elements;
         double target = 0; ///< distance to be kept [m]
         double known = 0;  ///< distance where neighbours were last sought [m]
         double before = 0,
                now = 0; ///< the distance is at least this, at the start of the substep and at its end [m]
+    };
+    /// What is read of every pair to see whether it must be woken.
+    struct Margin {
+        double distance = 0; ///< beyond its target, where neighbours were last sought [m]
+        double way = 0;      ///< of its ends against each other, if all go the ways foreseen [m]
+        bool isAwake = false;
     };
     /// What is read only of pairs that may touch.
     struct Contact {
@@ -104,6 +112,8 @@ private:
     static constexpr double noDistance = 1e-9;
     /// Of what should be looked ahead: where there are too many pairs for even so little, nothing is moved [–].
     static constexpr double leastAhead = 1e-3;
+    /// Pairs and particles in a thread's part at least: they take some microseconds.
+    static constexpr int leastPairs = 500, leastParticles = 2000;
     /// Of what is to be kept, so that rounding does not ask for more [–].
     static constexpr double justEnough = 0.99;
 
@@ -113,7 +123,8 @@ private:
     [[nodiscard]] bool isIgnored(const collision::ElementPair& pair) const;
     [[nodiscard]] Contact contactOf(const collision::ElementPair& pair) const;
     [[nodiscard]] double targetOf(const collision::ElementPair& pair) const;
-    [[nodiscard]] bool foreseen(std::span<const Vec3> positions, double time) const;
+    [[nodiscard]] double doneAt(double time) const;
+    [[nodiscard]] double strayed(const Substep& substep) const;
     [[nodiscard]] bool foresee(const Substep& substep);
     [[nodiscard]] bool seekOnAllWays(Substep& substep);
     void cutWays(double most, Substep& substep) const;
@@ -122,8 +133,14 @@ private:
     void look(const Watch& watch, Contact& contact, std::span<const Vec3> positions) const;
     [[nodiscard]] static double farthestMove(std::span<const Vec3> from, std::span<const Vec3> to);
 
+    // SelfContactAwake.cpp
+    void findMargins(Team* team);
+    void wake(double strayed, const Substep& substep);
+    void keepFlagged(std::span<const std::size_t> from, std::vector<std::size_t>& kept) const;
+
     // SelfContact.cpp
     void pushApart(Substep& substep);
+    [[nodiscard]] bool touches(std::size_t pair, const Substep& substep);
     [[nodiscard]] bool meetsOnTheWay(const Watch& watch, Contact& contact, const Substep& substep) const;
     void push(const Watch& watch, Contact& contact, const ContactPace& pace, Substep& substep) const;
     void move(int particle, const Vec3& by, Substep& substep) const;
@@ -139,7 +156,9 @@ private:
     void uncross(Substep& substep) const;
 
     // SelfContactGuarantee.cpp
-    void holdApart(Substep& substep);
+    [[nodiscard]] double holdApart(Substep& substep);
+    void findUnseparated(const Substep& substep);
+    void beginShortening(const Substep& substep);
     [[nodiscard]] double keptOf(double start) const;
     [[nodiscard]] bool isSeparated(const Watch& watch, Contact& contact, const Substep& substep) const;
     void shorten(const Watch& watch, const Contact& contact, Substep& substep);
@@ -158,10 +177,16 @@ private:
     std::vector<double> mass_; ///< of particles; of slaves, what their masters make of it [kg]
     std::vector<int> slaveOf_; ///< index into model.slaves, −1 = none
     double thickest_ = 0;      ///< largest target [m]
+    double mostSlack_ = 0;     ///< of the settings, for this cloth [m]
 
     std::optional<collision::SelfProximity> proximity_; ///< from the first step on
     std::vector<Watch> watches_;
-    std::vector<Contact> contacts_; ///< one per watch
+    std::vector<Contact> contacts_;  ///< one per watch
+    std::vector<Margin> margins_;    ///< one per watch, or none yet
+    std::vector<std::size_t> awake_; ///< pairs that may have come nearer than their target, rising
+    std::vector<char> flags_;        ///< of pairs, while some are chosen
+    double awakeDone_ = 0,
+           awakeStrayed_ = 0; ///< up to which part of the ways, and so far from them [m], the others have not
     std::vector<collision::Piercing> piercings_;
     std::vector<int> edgeLayers_; ///< of each edge; −1 = of two. Empty where layers are all alike
     bool mayPierce_ = true;       ///< until a search has found no piercing
@@ -172,14 +197,14 @@ private:
     double slack_ = 0, staticMove_ = 0; ///< of the settings, what holds for the pairs watched now [m]
     double frame_ = 0;                  ///< duration of the step [s]
     int substep_ = 0, searches_ = 0, shortSearches_ = 0, heldBack_ = 0;
-    std::vector<std::size_t> touching_; ///< pairs to be pushed in this substep
+    std::vector<std::size_t> touching_; ///< pairs to be pushed in this substep, or to be held apart
     std::vector<Vec3> wanted_;          ///< where particles would go before their ways are shortened [m]
-    std::vector<double> fraction_;      ///< of its way that a particle goes
+    std::vector<double> fraction_;      ///< of its way that a particle goes; empty until one is shortened
     std::vector<Vec3> iterationStart_;  ///< of statics [m]
     std::vector<Vec3> anchors_;         ///< where particles were at the start of statics; empty until then [m]
 };
 
-/// Of every pair in every substep, and therefore inline: by what its ends have moved against each other since
+/// Of every pair awake in every substep, and therefore inline: by what its ends have moved against each other since
 /// neighbours were sought.
 inline double SelfContact::leastDistance(const Watch& watch, std::span<const Vec3> positions) const {
     const auto& v = watch.elements.vertices;

@@ -11,24 +11,40 @@ using collision::gapAlong;
 
 /// Shortens the ways of particles until every pair has a direction along which it is separated at the start
 /// and at the end. A shorter way stays on the right side of every plane that the whole one respected, so this
-/// comes to an end.
-void SelfContact::holdApart(Substep& substep) {
+/// comes to an end. Returns how far particles are from the ways foreseen [m].
+double SelfContact::holdApart(Substep& substep) {
     constexpr int manyRounds = 50;
-    wanted_.assign(substep.positions.begin(), substep.positions.end());
-    fraction_.assign(wanted_.size(), 1.0);
+    fraction_.clear();
     for (int round = 0; round < manyRounds; ++round) {
-        bool all = true;
-        for (std::size_t i = 0; i < watches_.size(); ++i) {
-            Watch& watch = watches_[i];
-            watch.now = leastDistance(watch, substep.positions);
-            if ((watch.now > 0 && watch.before > 0) || isSeparated(watch, contacts_[i], substep)) continue;
-            shorten(watch, contacts_[i], substep);
-            all = false;
-        }
-        if (all) return;
+        const double from = strayed(substep);
+        wake(from, substep);
+        findUnseparated(substep);
+        if (touching_.empty()) return from;
+        if (fraction_.empty()) beginShortening(substep);
+        for (const std::size_t i : touching_) // those before it may have gone out of its way
+            if (!isSeparated(watches_[i], contacts_[i], substep)) shorten(watches_[i], contacts_[i], substep);
     }
     std::ranges::copy(substep.previous, substep.positions.begin()); // nothing moves in this substep
-    for (Watch& watch : watches_) watch.now = watch.before;
+    for (const std::size_t i : awake_) watches_[i].now = watches_[i].before;
+    return strayed(substep);
+}
+
+/// Pairs that are not known to be apart and have no direction along which they are.
+void SelfContact::findUnseparated(const Substep& substep) {
+    flags_.resize(awake_.size());
+    inParts(substep.team, static_cast<int>(awake_.size()), leastPairs, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            Watch& watch = watches_[awake_[i]];
+            watch.now = leastDistance(watch, substep.positions);
+            flags_[i] = !(watch.now > 0 && watch.before > 0) && !isSeparated(watch, contacts_[awake_[i]], substep);
+        }
+    });
+    keepFlagged(awake_, touching_);
+}
+
+void SelfContact::beginShortening(const Substep& substep) {
+    wanted_.assign(substep.positions.begin(), substep.positions.end());
+    fraction_.assign(wanted_.size(), 1.0);
 }
 
 bool SelfContact::isSeparated(const Watch& watch, Contact& contact, const Substep& substep) const {

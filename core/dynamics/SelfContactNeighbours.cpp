@@ -20,13 +20,24 @@ constexpr double usedRoom = 0.5;
 
 } // namespace
 
-/// Whether every particle is near the way that was foreseen when neighbours were sought.
-bool SelfContact::foreseen(std::span<const Vec3> positions, double time) const {
-    if (from_.size() != positions.size()) return false;
-    const double done = std::clamp((time - fromTime_) / horizon_, 0.0, 1.0), squared = slack_ * slack_;
-    for (std::size_t p = 0; p < positions.size(); ++p)
-        if (squaredLength(positions[p] - from_[p] - done * moves_[p]) > squared) return false;
-    return true;
+/// Part of the ways foreseen that is behind the particles.
+double SelfContact::doneAt(double time) const {
+    return std::clamp((time - fromTime_) / horizon_, 0.0, 1.0);
+}
+
+/// How far the farthest particle is from the way that was foreseen when neighbours were sought [m]; infinite where
+/// they were not.
+double SelfContact::strayed(const Substep& substep) const {
+    const std::span<const Vec3> positions = substep.positions;
+    if (from_.size() != positions.size()) return std::numeric_limits<double>::infinity();
+    const double done = doneAt(substep.time);
+    const int count = static_cast<int>(positions.size());
+    return std::sqrt(largestInParts(substep.team, count, leastParticles, [&](int begin, int end) {
+        double squared = 0;
+        for (int p = begin; p < end; ++p)
+            squared = std::max(squared, squaredLength(positions[p] - from_[p] - done * moves_[p]));
+        return squared;
+    }));
 }
 
 /// Seeks neighbours for one frame step ahead, as if particles went on as in this substep. For less where the last list
@@ -40,10 +51,11 @@ bool SelfContact::foresee(const Substep& substep) {
     moves_.resize(substep.positions.size());
     for (ahead_ = std::min(1.0, 2 * ahead_); ahead_ >= leastAhead; ahead_ *= 0.5) {
         horizon_ = std::min(ahead_ * frame, longest);
-        slack_ = ahead_ * settings_.slack;
+        slack_ = ahead_ * mostSlack_;
         for (std::size_t p = 0; p < moves_.size(); ++p)
             moves_[p] = (horizon_ / substep.duration) * (substep.positions[p] - substep.previous[p]);
-        if (watch(proximity_->pairsInStep(2 * slack_ + thickest_, substep.previous, moves_, settings_.mostPairs),
+        if (watch(proximity_->pairsInStep(2 * slack_ + thickest_, substep.previous, moves_, settings_.mostPairs,
+                                          substep.team),
                   substep.previous))
             return true;
     }
@@ -58,8 +70,9 @@ bool SelfContact::seekOnAllWays(Substep& substep) {
     moves_.assign(moves_.size(), Vec3{});
     const auto fits = [&] {
         const auto ways = waysOf(model_, substep.previous, substep.positions);
-        return watch(proximity_->pairsInBoxes(2 * slack_ + thickest_, substep.previous, ways, settings_.mostPairs),
-                     substep.previous);
+        return watch(
+            proximity_->pairsInBoxes(2 * slack_ + thickest_, substep.previous, ways, settings_.mostPairs, substep.team),
+            substep.previous);
     };
     if (fits()) return true;
     slack_ = 0;
@@ -123,6 +136,9 @@ bool SelfContact::watch(const collision::SelfProximity::Pairs& pairs, std::span<
         contacts_.push_back(contactOf(pair));
         if (const auto known = pressed.find(pair); known != pressed.end()) contacts_.back().normalForce = known->second;
     }
+    margins_.clear();
+    awake_.clear();
+    awakeDone_ = awakeStrayed_ = -1;
     from_.assign(positions.begin(), positions.end());
     ++searches_;
     return true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Team.h"
 #include "core/cloth/HessianSink.h"
 #include "core/geometry/Vec.h"
 
@@ -25,6 +26,7 @@ struct Substep {
     std::span<const double> inverseMass; ///< [1/kg]; 0 = pinned. A slave's is that of its masters, Σ w²/m
     double duration = 0;                 ///< h [s]
     double time = 0;                     ///< at the end of the substep [s]
+    Team* team = nullptr;                ///< to share work with; null = alone. Results are the same to the bit
 };
 
 /// Collects 3×3 blocks of ∂²E/∂x∂x. Blocks are row-major; (i, j) and (j, i) are both added by the caller.

@@ -6,11 +6,18 @@
 #include "core/dynamics/Eliminated.h"
 #include "core/dynamics/XpbdSweep.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
 
 namespace toile::dynamics {
+namespace {
+
+/// Of which a thread's part holds at least so many: it takes some microseconds.
+constexpr int leastParticles = 4000;
+
+} // namespace
 
 struct Xpbd::Data {
     Data(const cloth::ClothModel& m, XpbdSettings s)
@@ -29,6 +36,7 @@ struct Xpbd::Data {
     std::vector<Vec3> previous, slavesBefore;
     std::optional<XpbdSweep> sweep;
     CoarseLevels* levels = nullptr;
+    Team* team = nullptr;
     double compiledStep = 0;
 };
 
@@ -56,8 +64,8 @@ Result<void> Xpbd::step(ParticleState& state, double duration, int substeps, con
             return fail(ErrorCode::cancelled, "The step was stopped.");
         }
         d.predict(state, h, gravity);
-        d.sweep->apply(state.positions);
-        if (d.levels) d.levels->correct(state.positions);
+        d.sweep->apply(state.positions, d.team);
+        if (d.levels) d.levels->correct(state.positions, d.team);
         d.eliminated.place(state.positions);
         if (!stages.empty()) d.runStages(state, h, start.time + s * h, stages);
         d.updateVelocities(state, h);
@@ -80,19 +88,25 @@ void Xpbd::Data::compileFor(double h) {
 }
 
 void Xpbd::Data::predict(ParticleState& state, double h, const Vec3& gravity) {
-    previous = state.positions;
+    previous.resize(state.positions.size());
     const double limit = settings.speedLimit;
-    for (int p : eliminated.free()) {
-        Vec3& v = state.velocities[p];
-        v += h * gravity;
-        if (limit > 0 && squaredLength(v) > limit * limit) v *= limit / geometry::length(v);
-        state.positions[p] += h * v;
-    }
+    const std::span<const int> free = eliminated.free();
+    inParts(team, static_cast<int>(previous.size()), leastParticles, [&](int begin, int end) {
+        std::copy(state.positions.begin() + begin, state.positions.begin() + end, previous.begin() + begin);
+    });
+    inParts(team, static_cast<int>(free.size()), leastParticles, [&](int begin, int end) {
+        for (const int p : free.subspan(begin, end - begin)) {
+            Vec3& v = state.velocities[p];
+            v += h * gravity;
+            if (limit > 0 && squaredLength(v) > limit * limit) v *= limit / geometry::length(v);
+            state.positions[p] += h * v;
+        }
+    });
     eliminated.place(state.positions);
 }
 
 void Xpbd::Data::runStages(ParticleState& state, double h, double time, std::span<Stage* const> stages) {
-    Substep substep{state.positions, previous, inverseMass, h, time};
+    Substep substep{state.positions, previous, inverseMass, h, time, team};
     for (Stage* stage : stages) {
         slavesBefore.clear();
         for (int s : eliminated.slaves()) slavesBefore.push_back(state.positions[model.slaves[s].particle]);
@@ -119,8 +133,13 @@ void Xpbd::Data::handSlavesToMasters(std::span<Vec3> positions) const {
 
 void Xpbd::Data::updateVelocities(ParticleState& state, double h) const {
     const double factor = 1 / (h * (1 + settings.damping * h));
-    for (std::size_t p = 0; p < state.positions.size(); ++p)
-        state.velocities[p] = factor * (state.positions[p] - previous[p]);
+    inParts(team, static_cast<int>(previous.size()), leastParticles, [&](int begin, int end) {
+        for (int p = begin; p < end; ++p) state.velocities[p] = factor * (state.positions[p] - previous[p]);
+    });
+}
+
+void Xpbd::workWith(Team* team) {
+    data_->team = team;
 }
 
 void Xpbd::correctBy(CoarseLevels* levels) {

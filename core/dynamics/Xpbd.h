@@ -42,6 +42,8 @@ public:
     /// Levels that correct each substep between the sweep and the stages; null = none. They are borrowed and outlive
     /// this.
     void correctBy(CoarseLevels* levels);
+    /// Shares the work of a substep out, where it is much; null = alone. Borrowed. The bits are the same.
+    void workWith(Team* team);
     void setSettings(XpbdSettings settings);
     /// 1/kg; 0 = pinned, Σ w²/m for a slave.
     [[nodiscard]] std::span<const double> inverseMass() const;

@@ -12,6 +12,12 @@ namespace {
 
 constexpr int lanes = 4, corners = 4;
 
+/// What a part for one thread must hold at least, some 8 µs of work: less costs more to share than it saves.
+struct LeastShare {
+    int particles, springs, triangles, cells, stencils, hinges; ///< all but particles and stencils in fours
+};
+constexpr LeastShare leastShare{6000, 600, 80, 40, 1200, 40};
+
 /// s(e)/e of a tension curve.
 double secant(const std::vector<material::TensionPoint>& curve, double strain) {
     return strain > 0 && !curve.empty() ? cloth::tensionResponse(curve, strain).stress / strain : 1;
@@ -112,7 +118,9 @@ void XpbdSweep::compileSprings() {
             else if (inverseMass_[s.a] + inverseMass_[s.b] > 0) springs.push_back(s);
         }
     const auto ends = [](const cloth::Spring& s) { return std::array{s.a, s.b}; };
-    for (const auto& group : colouredGroups(springs, model_.particleCount(), lanes, ends)) {
+    const ColouredGroups coloured = colouredGroups(springs, model_.particleCount(), lanes, ends);
+    borders_.springs = coloured.borders;
+    for (const auto& group : coloured.groups) {
         FourSprings& four = springs_.emplace_back();
         for (int lane = 0; lane < lanes; ++lane) {
             four.a[lane] = spare(lane, 0);
@@ -159,8 +167,13 @@ void XpbdSweep::compileStencils() {
             else four.push_back(compiled<4>(s));
         }
     const auto particles = [](const auto& element) { return element.particles; };
-    threePoint_ = inOrder(three, colouredOrder(three, model_.particleCount(), particles));
-    fourPoint_ = inOrder(four, colouredOrder(four, model_.particleCount(), particles));
+    const auto compile = [&](const auto& elements, std::vector<int>& borders) {
+        const std::vector<int> colours = coloursOf(elements, model_.particleCount(), particles);
+        borders = bordersOfColours(colours);
+        return inOrder(elements, orderByColour(colours));
+    };
+    threePoint_ = compile(three, borders_.threePoint);
+    fourPoint_ = compile(four, borders_.fourPoint);
 }
 
 void XpbdSweep::compileTriangles() {
@@ -170,7 +183,9 @@ void XpbdSweep::compileTriangles() {
     const auto particles = [](const cloth::MembraneTriangle& t) { return t.particles; };
     auto law = std::make_unique<CurvedMembranes>(h_);
     bool curved = false;
-    for (const auto& group : colouredGroups(triangles, model_.particleCount(), lanes, particles)) {
+    const ColouredGroups coloured = colouredGroups(triangles, model_.particleCount(), lanes, particles);
+    borders_.triangles = coloured.borders;
+    for (const auto& group : coloured.groups) {
         FourTriangles& four = triangles_.emplace_back();
         auto& membranes = law->fours.emplace_back();
         for (int lane = 0; lane < lanes; ++lane) {
@@ -198,7 +213,9 @@ void XpbdSweep::compileCells() {
     const auto particles = [](const cloth::MembraneCell& c) { return c.particles; };
     auto law = std::make_unique<CurvedMembranes>(h_);
     bool curved = false;
-    for (const auto& group : colouredGroups(cells, model_.particleCount(), lanes, particles)) {
+    const ColouredGroups coloured = colouredGroups(cells, model_.particleCount(), lanes, particles);
+    borders_.cells = coloured.borders;
+    for (const auto& group : coloured.groups) {
         FourCells& four = cells_.emplace_back();
         auto& membranes = law->fours.emplace_back();
         for (int lane = 0; lane < lanes; ++lane) {
@@ -226,7 +243,9 @@ void XpbdSweep::compileHinges() {
     for (const auto& h : model_.hinges)
         if (h.stiffness > 0 && !joints_.touches(cornersOf(h))) hinges.push_back(h);
     const auto particles = [](const cloth::Hinge& h) { return cornersOf(h); };
-    for (const auto& group : colouredGroups(hinges, model_.particleCount(), lanes, particles)) {
+    const ColouredGroups coloured = colouredGroups(hinges, model_.particleCount(), lanes, particles);
+    borders_.hinges = coloured.borders;
+    for (const auto& group : coloured.groups) {
         FourHinges& four = hinges_.emplace_back();
         for (int lane = 0; lane < lanes; ++lane) {
             for (int c = 0; c < 4; ++c) four.particles[c][lane] = spare(lane, c);
@@ -240,17 +259,33 @@ void XpbdSweep::compileHinges() {
     }
 }
 
-void XpbdSweep::apply(std::span<Vec3> positions) {
-    for (std::size_t p = 0; p < positions.size(); ++p) static_cast<Vec3&>(places_[p]) = positions[p];
+void XpbdSweep::apply(std::span<Vec3> positions, Team* team) {
+    const int particles = static_cast<int>(positions.size());
+    const auto part = [](const auto& elements, int begin, int end) {
+        return std::span(elements).subspan(begin, end - begin);
+    };
     Place* const places = places_.data();
-    kernels_.springs(places, springs_);
-    kernels_.triangles(places, triangles_, cap_, triangleLaw_.get(), 0);
-    kernels_.cells(places, cells_, cap_, cellLaw_.get(), 0);
-    kernels_.threePoint(places, threePoint_);
-    kernels_.fourPoint(places, fourPoint_);
+    inParts(team, particles, leastShare.particles, [&](int begin, int end) {
+        for (int p = begin; p < end; ++p) static_cast<Vec3&>(places_[p]) = positions[p];
+    });
+    byColours(team, borders_.springs, leastShare.springs,
+              [&](int begin, int end) { kernels_.springs(places, part(springs_, begin, end)); });
+    byColours(team, borders_.triangles, leastShare.triangles, [&](int begin, int end) {
+        kernels_.triangles(places, part(triangles_, begin, end), cap_, triangleLaw_.get(), begin);
+    });
+    byColours(team, borders_.cells, leastShare.cells, [&](int begin, int end) {
+        kernels_.cells(places, part(cells_, begin, end), cap_, cellLaw_.get(), begin);
+    });
+    byColours(team, borders_.threePoint, leastShare.stencils,
+              [&](int begin, int end) { kernels_.threePoint(places, part(threePoint_, begin, end)); });
+    byColours(team, borders_.fourPoint, leastShare.stencils,
+              [&](int begin, int end) { kernels_.fourPoint(places, part(fourPoint_, begin, end)); });
     joints_.apply(places_);
-    kernels_.hinges(places, hinges_, cap_);
-    for (std::size_t p = 0; p < positions.size(); ++p) positions[p] = places_[p];
+    byColours(team, borders_.hinges, leastShare.hinges,
+              [&](int begin, int end) { kernels_.hinges(places, part(hinges_, begin, end), cap_); });
+    inParts(team, particles, leastShare.particles, [&](int begin, int end) {
+        for (int p = begin; p < end; ++p) positions[p] = places_[p];
+    });
 }
 
 std::size_t XpbdSweep::bytes() const {

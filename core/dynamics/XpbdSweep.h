@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Team.h"
 #include "core/cloth/ClothModel.h"
 #include "core/dynamics/JointSweep.h"
 #include "core/dynamics/SweepKernels.h"
@@ -20,8 +21,9 @@ public:
     XpbdSweep(const cloth::ClothModel& model, const Eliminated& eliminated, std::span<const double> inverseMass,
               double h, double cap, const SweepKernels& kernels = fastestKernels());
 
-    /// One Gauss–Seidel pass over all elements. Slaves are read through their masters and not written.
-    void apply(std::span<Vec3> positions);
+    /// One Gauss–Seidel pass over all elements. Slaves are read through their masters and not written. With a team the
+    /// elements of a colour are shared out, where they are many: the bits are the same.
+    void apply(std::span<Vec3> positions, Team* team = nullptr);
     [[nodiscard]] std::size_t bytes() const;
 
 private:
@@ -47,6 +49,10 @@ private:
     std::vector<FourTriangles> triangles_;
     std::vector<FourCells> cells_;
     std::vector<FourHinges> hinges_;
+    struct Borders { ///< elements between two of them share no particle
+        std::vector<int> springs, triangles, cells, threePoint, fourPoint, hinges;
+    };
+    Borders borders_;
     std::unique_ptr<const TensionLaw> triangleLaw_, cellLaw_; ///< null where all is linear
 };
 

@@ -181,6 +181,7 @@ private:
         if (broken_) return stopWith(toString(made.error()));
         simulation_.emplace(std::move(*made));
         finish_ = Finish::none;
+        simulation_->workWith(team_);
         publish({});
     }
 
@@ -258,6 +259,7 @@ private:
 
     Scene scene_;
     std::uint64_t generation_ = 0;
+    const std::shared_ptr<Team> team_ = std::make_shared<Team>(); ///< all cores
     std::optional<Simulation> simulation_;
     bool broken_ = false;  ///< the scene could not be built; simulation_ is of one before it
     bool resting_ = false; ///< the frame published last is at rest

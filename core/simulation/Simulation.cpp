@@ -106,6 +106,7 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) 
     after.state_.positions = particlePositions(after.garment_->particles, nodes);
     after.state_.time = before.state_.time;
     after.steps_ = before.steps_;
+    after.team_ = before.team_;
     after.grips_ = before.grips_;
     after.goesOnAsItLay_ = before.phase_ == Phase::draping || before.goesOnAsItLay_;
     after.seamStart_.assign(after.seams_.size(), -1);
@@ -135,6 +136,7 @@ void Simulation::rebuildPlan() {
     }
     xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model,
                                              dynamics::XpbdSettings{.damping = plannedDamping_, .speedLimit = 10});
+    xpbd_->workWith(team_.get());
     planSubsteps();
     integrator_.reset();
     calmingFrames_ = 0;
@@ -196,6 +198,11 @@ double Simulation::damping() const {
 void Simulation::drapeWith(std::optional<dynamics::Method> method) {
     drapingMethod_ = method;
     rebuildPlan();
+}
+
+void Simulation::workWith(std::shared_ptr<Team> team) {
+    team_ = std::move(team);
+    if (xpbd_) xpbd_->workWith(team_.get());
 }
 
 void Simulation::force(std::vector<std::string> stages) {

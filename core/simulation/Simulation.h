@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Progress.h"
+#include "core/base/Team.h"
 #include "core/collision/BodySurface.h"
 #include "core/dynamics/CoarseLevels.h"
 #include "core/dynamics/Method.h"
@@ -83,6 +84,10 @@ public:
     /// to settle().
     void drapeWith(std::optional<dynamics::Method> method);
 
+    /// Shares the work of a step out from now on, where it is much enough to gain by it; null = alone. The bits are the
+    /// same.
+    void workWith(std::shared_ptr<Team> team);
+
     /// What hands hold from now on, instead of what they held. Cheap while only targets move.
     void hold(std::vector<Grip> grips);
 
@@ -160,6 +165,7 @@ private:
     std::shared_ptr<const collision::BodySurface> body_;
     Shared<FrameTopology> topology_;
     dynamics::ParticleState state_;
+    std::shared_ptr<Team> team_;               ///< null = alone
     std::shared_ptr<std::vector<Grip>> grips_; ///< never null; the plan's stage reads it
     std::vector<std::string> forced_;          ///< stages that are built without need
     StepPlan plan_;

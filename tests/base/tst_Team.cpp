@@ -2,6 +2,7 @@
 #include "core/base/Team.h"
 
 #include <QtTest>
+#include <chrono>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -27,6 +28,51 @@ private slots:
             std::vector<int> times(static_cast<std::size_t>(round % 5), 0);
             team.run(round % 5, [&](int i) { ++times[static_cast<std::size_t>(i)]; });
             QCOMPARE(times, std::vector<int>(times.size(), 1));
+        }
+    }
+
+    void callsThatFollowSlowlyAreHeardAsWell() {
+        Team team(4);
+        for (int round = 0; round < 20; ++round) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(2)); // helpers sleep by now
+            std::vector<int> times(50, 0);
+            team.run(50, [&](int i) { ++times[static_cast<std::size_t>(i)]; });
+            QCOMPARE(times, std::vector<int>(50, 1));
+        }
+    }
+
+    void partsCoverAllOnce_data() {
+        QTest::addColumn<int>("members");
+        QTest::addColumn<int>("count");
+        for (const int members : {1, 2, 5})
+            for (const int count : {0, 1, 99, 200, 1003}) QTest::addRow("%d of %d", count, members) << members << count;
+    }
+    void partsCoverAllOnce() {
+        QFETCH(int, members);
+        QFETCH(int, count);
+        Team team(members);
+        QCOMPARE(team.members(), members);
+        std::vector<int> times(static_cast<std::size_t>(count), 0);
+        std::atomic<int> smallest = count;
+        inParts(&team, count, 100, [&](int begin, int end) {
+            if (end - begin < smallest) smallest = end - begin;
+            for (int i = begin; i < end; ++i) ++times[static_cast<std::size_t>(i)];
+        });
+        QCOMPARE(times, std::vector<int>(static_cast<std::size_t>(count), 1));
+        QVERIFY(smallest >= std::min(count, 100));
+    }
+
+    void theLargestOfAllPartsIsFound() {
+        Team team(3);
+        for (const int largest : {0, 1, 499, 998, 999}) {
+            const auto valueAt = [&](int i) { return i == largest ? 7.0 : 1.0 / (i + 1); };
+            QCOMPARE(largestInParts(&team, 1000, 10,
+                                    [&](int begin, int end) {
+                                        double found = 0;
+                                        for (int i = begin; i < end; ++i) found = std::max(found, valueAt(i));
+                                        return found;
+                                    }),
+                     7.0);
         }
     }
 

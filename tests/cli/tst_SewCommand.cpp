@@ -46,7 +46,7 @@ private slots:
     void everyMethodDrapesWhatXpbdHasSewn();
     void thePaperGoesItsOwnWayFromEndToEnd();
     void staticsKnowsNoTime();
-    void moreThreadsAreAnsweredHonestly();
+    void theReportSaysHowManyThreadsThereWere();
     void aMissingFolderIsSaidAndNothingIsWritten();
     void aBrokenDocumentIsRefused();
     void anInterruptLeavesNothingBehind();
@@ -271,11 +271,11 @@ void tst_SewCommand::staticsKnowsNoTime() {
     QVERIFY(finished.err.contains("--seconds"));
 }
 
-void tst_SewCommand::moreThreadsAreAnsweredHonestly() {
+void tst_SewCommand::theReportSaysHowManyThreadsThereWere() {
     const Finished finished = run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--threads", "3", "--quiet",
                                    "--report", in("sew.json")});
-    QVERIFY(finished.err.contains("--threads: This version computes on one thread."));
-    QCOMPARE(*report().find("threads")->asNumber(), 1.0);
+    QCOMPARE(finished.status, 3); // no garment is sewn in a tenth of a second
+    QCOMPARE(*report().find("threads")->asNumber(), 3.0);
 }
 
 void tst_SewCommand::aMissingFolderIsSaidAndNothingIsWritten() {

@@ -120,6 +120,7 @@ private slots:
     void findsEveryPairThatMeetsOnTheWay();
     void findsEveryPairThatBoxesLetMeet();
     void whatFliesTogetherIsNoNearer();
+    void aTeamFindsTheSameInTheSameOrder();
     void morePairsThanAskedForAreNone();
     void elementsWithACommonCornerAreNoPair();
     void piercingsAreThoseOfTheReferee();
@@ -247,6 +248,23 @@ void tst_SelfProximity::whatFliesTogetherIsNoNearer() {
     const std::vector<Vec3> x = crumpled(n, random);
     const std::vector<Vec3> moves(x.size(), {0.3, 0.2, -0.1});
     QVERIFY(canonical(*proximity.pairsInStep(0.002, x, moves)) == canonical(*proximity.pairsWithin(0.002, x)));
+}
+
+void tst_SelfProximity::aTeamFindsTheSameInTheSameOrder() {
+    const int n = 30;
+    SelfProximity proximity(sheetTriangles(n), flatSheet(n, 0.01));
+    std::mt19937 random(5);
+    const std::vector<Vec3> x = crumpled(n, random), moves = scattered(x.size(), 0.005, random);
+    const auto alone = *proximity.pairsInStep(0.002, x, moves);
+    QVERIFY(alone.size() > 1000);
+    for (const int members : {1, 2, 3}) {
+        Team team(members);
+        const auto shared = proximity.pairsInStep(0.002, x, moves, alone.size(), &team);
+        QVERIFY(shared && std::ranges::equal(alone, *shared, [](const auto& a, const auto& b) {
+                    return a.pair == b.pair && a.distance == b.distance;
+                }));
+        QVERIFY(!proximity.pairsInStep(0.002, x, moves, alone.size() - 1, &team));
+    }
 }
 
 void tst_SelfProximity::morePairsThanAskedForAreNone() {

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SmallScenes.h"
+#include "core/simulation/Simulation.h"
+
+#include <QtTest>
+#include <algorithm>
+
+using namespace toile;
+using namespace toile::simulation;
+
+namespace {
+
+/// Two sheets close above a table, one over the other and both beyond its edge: they fall on it and on each other. Some
+/// 10 000 particles, so that the work of every stage is shared out.
+Scene fallingSheets(material::FabricKind kind) {
+    Scene scene;
+    scene.body = Shared<body::Body>(box());
+    scene.settings.selfContact = true;
+    material::Fabric fabric = plainCloth();
+    fabric.kind = kind;
+    scene.pattern.fabrics.push_back(fabric);
+    for (const bool isUpper : {false, true}) {
+        pattern::Piece piece =
+            polygonPiece(isUpper ? "upper" : "lower", {{0, 0}, {0.72, 0}, {0.72, 0.72}, {0, 0.72}}, 0.01);
+        piece.placement = pattern::Placement{};
+        piece.placement->transform = {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}, {-0.1, isUpper ? 0.509 : 0.506, 0.4}};
+        scene.pattern.pieces.push_back(std::move(piece));
+    }
+    return scene;
+}
+
+std::vector<Vec3> after(int frames, const Scene& scene, std::shared_ptr<Team> team) {
+    auto simulation = Simulation::create(scene);
+    if (!simulation) qFatal("%s", toString(simulation.error()).c_str());
+    if (std::ranges::any_of(simulation->plan().leftOut(), [](const LeftOut& p) { return p.stage == "coarse levels"; }))
+        qFatal("coarse levels are to be shared out as well");
+    simulation->workWith(std::move(team));
+    for (int frame = 0; frame < frames; ++frame)
+        if (const auto done = simulation->advance(); !done) qFatal("%s", toString(done.error()).c_str());
+    return simulation->state().positions;
+}
+
+} // namespace
+
+/// A garment computed by several threads is the same to the bit as by one.
+class tst_Threads : public QObject {
+    Q_OBJECT
+private slots:
+    void severalGiveTheBitsOfOne_data() {
+        QTest::addColumn<bool>("isKnit");
+        QTest::newRow("springs") << false;
+        QTest::newRow("membrane cells") << true;
+    }
+    void severalGiveTheBitsOfOne() {
+        QFETCH(bool, isKnit);
+        constexpr int frames = 4; // the sheets meet in the third
+        const Scene scene = fallingSheets(isKnit ? material::FabricKind::knit : material::FabricKind::woven);
+        const std::vector<Vec3> alone = after(frames, scene, nullptr);
+        QVERIFY(std::ranges::min(alone, {}, &Vec3::y).y < 0.5); // beyond the edge it falls
+        for (const int members : {2, 3}) QVERIFY(after(frames, scene, std::make_shared<Team>(members)) == alone);
+    }
+};
+
+QTEST_APPLESS_MAIN(tst_Threads)
+#include "tst_Threads.moc"
