@@ -3,8 +3,6 @@
 #include "ui/pattern/Colours.h"
 #include "ui/pattern/PatternPainter.h"
 
-#include <algorithm>
-
 namespace toile::ui {
 
 void paintFolds(QPainter& painter, const ViewTransform& view, const FlatPiece& piece, const PatternPicture& picture) {
@@ -12,7 +10,7 @@ void paintFolds(QPainter& painter, const ViewTransform& view, const FlatPiece& p
     for (const pattern::Fold& fold : piece.piece.folds) {
         const Item item = FoldRef{piece.piece.id, fold.id};
         const bool selected = contains(picture.selection, item);
-        const bool hovered = std::ranges::find(picture.hovered, item) != picture.hovered.end();
+        const bool hovered = picture.hovered == item;
         QPolygonF line;
         for (const Vec2 point : pattern::pointsOf(piece.piece, fold)) line << view.toScreen(point);
         painter.setPen(QPen(selected  ? colours::accent

@@ -69,7 +69,7 @@ void paintRegions(QPainter& painter, const ViewTransform& view, const FlatPiece&
         for (const Polygon& hole : region.holes) addClosed(path, view, hole);
         const Item item = RegionRef{piece.piece.id, region.id};
         const bool selected = contains(picture.selection, item);
-        const bool hovered = std::ranges::find(picture.hovered, item) != picture.hovered.end();
+        const bool hovered = picture.hovered == item;
         QColor border = colours::regionTint(region.refinement).darker(150);
         border.setAlphaF(1);
         painter.setBrush(colours::regionTint(region.refinement));
@@ -178,8 +178,7 @@ void paintHighlights(QPainter& painter, const ViewTransform& view, const FlatPie
                 painter.drawPolyline(onScreen(view, piece.flat(place->loop).edges[place->edge]));
     };
     for (const Item& item : picture.selection) highlight(item, colours::accent);
-    for (const Item& item : picture.hovered)
-        if (!contains(picture.selection, item)) highlight(item, colours::hover);
+    if (picture.hovered && !contains(picture.selection, *picture.hovered)) highlight(*picture.hovered, colours::hover);
 }
 
 } // namespace
@@ -237,7 +236,7 @@ void paintPoints(QPainter& painter, const ViewTransform& view, const PatternPict
             for (const Vertex& vertex : contour.vertices) {
                 const Item item = VertexRef{piece.piece.id, vertex.id};
                 const bool selected = contains(picture.selection, item);
-                const bool hovered = std::ranges::find(picture.hovered, item) != picture.hovered.end();
+                const bool hovered = picture.hovered == item;
                 painter.setPen(QPen(selected || hovered ? colours::accent : colours::outline, 1.2));
                 painter.setBrush(selected ? colours::accent : hovered ? colours::hover : QColor(Qt::white));
                 QRectF square(0, 0, 7, 7);

@@ -9,6 +9,8 @@
 
 #include <QPainter>
 
+#include <optional>
+
 namespace toile::ui {
 
 /// What of the pattern is drawn.
@@ -23,7 +25,7 @@ struct PatternPicture {
     const FlatPattern& flat;
     const MeshLines& mesh; ///< may be empty, or older than the pattern
     const Selection& selection;
-    std::vector<Item> hovered;
+    std::optional<Item> hovered;
     const Overlay& overlay;
     PatternLook look;
 };

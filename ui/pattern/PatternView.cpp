@@ -97,7 +97,7 @@ void PatternView::paintEvent(QPaintEvent*) {
     look.vertices = look.vertices || (tool_ && tool_->showsPoints());
     paint(painter, view_,
           {workbench_.document().pattern, workbench_.flat(), workbench_.mesh(), workbench_.selection(),
-           tool_ ? tool_->hovered() : std::vector<Item>{}, overlay, look});
+           tool_ ? tool_->hovered() : std::nullopt, overlay, look});
 }
 
 void PatternView::resizeEvent(QResizeEvent*) {

@@ -56,7 +56,7 @@ void paintSeams(QPainter& painter, const ViewTransform& view, const PatternPictu
         const Seam& seam = picture.pattern.seams[i];
         const Item item = seam.id;
         const bool selected = contains(picture.selection, item);
-        const bool hovered = std::ranges::find(picture.hovered, item) != picture.hovered.end();
+        const bool hovered = picture.hovered == item;
         const QColor colour = hovered && !selected ? colours::hover : colours::distinct(i);
         const auto sideA = pathsOf(picture.flat, seam.sides[0]), sideB = pathsOf(picture.flat, seam.sides[1]);
         painter.setBrush(Qt::NoBrush);

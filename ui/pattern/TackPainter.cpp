@@ -38,7 +38,7 @@ void paintTacks(QPainter& painter, const ViewTransform& view, const PatternPictu
         const Item item = tack.id;
         const auto a = positionOf(picture.flat, tack.ends[0]), b = positionOf(picture.flat, tack.ends[1]);
         if (!a || !b) continue;
-        const bool hovered = std::ranges::find(picture.hovered, item) != picture.hovered.end();
+        const bool hovered = picture.hovered == item;
         const QColor colour = contains(picture.selection, item) ? colours::accent
                               : hovered                         ? colours::hover
                                                                 : colours::handle;

@@ -4,7 +4,6 @@
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternContours.h"
 #include "core/pattern/PatternMeasures.h"
-#include "ui/tools/DeleteSelection.h"
 #include "ui/values/ShapeOwner.h"
 
 #include <QCoreApplication>
@@ -150,19 +149,9 @@ Effect EditPoints::doubleClick(const Desk& desk, const PointerEvent& event) {
     return effect;
 }
 
-Effect EditPoints::key(const Desk& desk, ToolKey key) {
-    Effect effect;
-    if (key == ToolKey::escape) effect.selection = Selection{};
-    return key == ToolKey::erase || key == ToolKey::backspace ? deleteSelection(desk) : effect;
-}
-
 void EditPoints::cancel() {
     drag_.reset();
     hovered_.reset();
-}
-
-std::vector<Item> EditPoints::hovered() const {
-    return hovered_ ? std::vector<Item>{*hovered_} : std::vector<Item>{};
 }
 
 QString EditPoints::hint() const {

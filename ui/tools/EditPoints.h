@@ -15,9 +15,8 @@ public:
     Effect move(const Desk& desk, const PointerEvent& event) override;
     Effect release(const Desk& desk, const PointerEvent& event) override;
     Effect doubleClick(const Desk& desk, const PointerEvent& event) override;
-    Effect key(const Desk& desk, ToolKey key) override;
     void cancel() override;
-    [[nodiscard]] std::vector<Item> hovered() const override;
+    [[nodiscard]] std::optional<Item> hovered() const override { return hovered_; }
     [[nodiscard]] QString hint() const override;
     [[nodiscard]] bool showsPoints() const override { return true; }
 

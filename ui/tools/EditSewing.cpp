@@ -3,7 +3,6 @@
 
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternSeams.h"
-#include "ui/tools/DeleteSelection.h"
 #include "ui/values/Picking.h"
 
 #include <QCoreApplication>
@@ -43,16 +42,6 @@ Effect EditSewing::doubleClick(const Desk& desk, const PointerEvent& event) {
     return effectOf(tr("Reverse seam"), document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
                         return reverseSeam(pattern, *seam);
                     }));
-}
-
-Effect EditSewing::key(const Desk& desk, ToolKey key) {
-    Effect effect;
-    if (key == ToolKey::escape) effect.selection = Selection{};
-    return key == ToolKey::erase || key == ToolKey::backspace ? deleteSelection(desk) : effect;
-}
-
-std::vector<Item> EditSewing::hovered() const {
-    return hovered_ ? std::vector<Item>{*hovered_} : std::vector<Item>{};
 }
 
 QString EditSewing::hint() const {

@@ -11,9 +11,8 @@ public:
     Effect press(const Desk& desk, const PointerEvent& event) override;
     Effect move(const Desk& desk, const PointerEvent& event) override;
     Effect doubleClick(const Desk& desk, const PointerEvent& event) override;
-    Effect key(const Desk& desk, ToolKey key) override;
     void cancel() override { hovered_.reset(); }
-    [[nodiscard]] std::vector<Item> hovered() const override;
+    [[nodiscard]] std::optional<Item> hovered() const override { return hovered_; }
     [[nodiscard]] QString hint() const override;
 
 private:

@@ -3,7 +3,6 @@
 
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternPieces.h"
-#include "ui/tools/DeleteSelection.h"
 #include "ui/values/Picking.h"
 
 #include <QCoreApplication>
@@ -66,19 +65,9 @@ Effect MovePieces::release(const Desk&, const PointerEvent&) {
     return dragEnd();
 }
 
-Effect MovePieces::key(const Desk& desk, ToolKey key) {
-    Effect effect;
-    if (key == ToolKey::escape) effect.selection = Selection{};
-    return key == ToolKey::erase || key == ToolKey::backspace ? deleteSelection(desk) : effect;
-}
-
 void MovePieces::cancel() {
     drag_.reset();
     hovered_.reset();
-}
-
-std::vector<Item> MovePieces::hovered() const {
-    return hovered_ ? std::vector<Item>{*hovered_} : std::vector<Item>{};
 }
 
 QString MovePieces::hint() const {

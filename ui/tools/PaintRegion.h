@@ -34,6 +34,7 @@ public:
     Effect press(const Desk& desk, const PointerEvent& event) override;
     Effect move(const Desk& desk, const PointerEvent& event) override;
     Effect release(const Desk& desk, const PointerEvent& event) override;
+    Effect doubleClick(const Desk& desk, const PointerEvent& event) override { return press(desk, event); }
     Effect key(const Desk& desk, ToolKey key) override;
     bool wheel(double notches) override;
     void cancel() override;

@@ -3,7 +3,6 @@
 
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternFolds.h"
-#include "ui/tools/DeleteSelection.h"
 #include "ui/tools/DrawPiece.h"
 #include "ui/values/ShapeOwner.h"
 
@@ -11,6 +10,7 @@
 
 #include <fmt/format.h>
 #include <numbers>
+#include <utility>
 
 namespace toile::ui {
 namespace {
@@ -91,22 +91,17 @@ Effect PressFolds::move(const Desk& desk, const PointerEvent& event) {
 }
 
 Effect PressFolds::release(const Desk&, const PointerEvent&) {
-    const bool dragged = dragged_.has_value();
-    dragged_.reset();
-    return {.endsMerge = dragged};
+    return {.endsMerge = std::exchange(dragged_, std::nullopt).has_value()};
 }
 
 Effect PressFolds::key(const Desk& desk, ToolKey key) {
-    if (key == ToolKey::escape) {
-        cancel();
-        return {.selection = Selection{}};
-    }
-    if (key == ToolKey::backspace && first_) {
+    if (key == ToolKey::escape) cancel();
+    if (!first_) return Tool::key(desk, key);
+    if (key == ToolKey::backspace) {
         if (between_.empty()) first_.reset();
         else between_.pop_back();
-        return {};
     }
-    return !first_ && (key == ToolKey::erase || key == ToolKey::backspace) ? deleteSelection(desk) : Effect{};
+    return {};
 }
 
 void PressFolds::cancel() {
@@ -127,10 +122,6 @@ Overlay PressFolds::overlay(const Desk&) const {
     line.push_back(border_.value_or(pointer_));
     overlay.lines.push_back({line, Overlay::Role::draft, true});
     return overlay;
-}
-
-std::vector<Item> PressFolds::hovered() const {
-    return under_ ? std::vector<Item>{*under_} : std::vector<Item>{};
 }
 
 QString PressFolds::hint() const {

@@ -13,11 +13,10 @@ public:
     Effect press(const Desk& desk, const PointerEvent& event) override;
     Effect move(const Desk& desk, const PointerEvent& event) override;
     Effect release(const Desk& desk, const PointerEvent& event) override;
-    Effect doubleClick(const Desk&, const PointerEvent&) override { return {}; }
     Effect key(const Desk& desk, ToolKey key) override;
     void cancel() override;
     [[nodiscard]] Overlay overlay(const Desk& desk) const override;
-    [[nodiscard]] std::vector<Item> hovered() const override;
+    [[nodiscard]] std::optional<Item> hovered() const override { return under_; }
     [[nodiscard]] QString hint() const override;
 
 private:

@@ -3,11 +3,11 @@
 
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternTacks.h"
-#include "ui/tools/DeleteSelection.h"
 
 #include <QCoreApplication>
 
 #include <fmt/format.h>
+#include <utility>
 
 namespace toile::ui {
 namespace {
@@ -76,17 +76,12 @@ Effect SetTacks::move(const Desk& desk, const PointerEvent& event) {
 }
 
 Effect SetTacks::release(const Desk&, const PointerEvent&) {
-    const bool dragged = dragged_.has_value();
-    dragged_.reset();
-    return {.endsMerge = dragged};
+    return {.endsMerge = std::exchange(dragged_, std::nullopt).has_value()};
 }
 
 Effect SetTacks::key(const Desk& desk, ToolKey key) {
-    if (key == ToolKey::escape) {
-        cancel();
-        return {.selection = Selection{}};
-    }
-    return key == ToolKey::erase || key == ToolKey::backspace ? deleteSelection(desk) : Effect{};
+    if (key == ToolKey::escape) cancel();
+    return Tool::key(desk, key);
 }
 
 void SetTacks::cancel() {
@@ -105,8 +100,9 @@ Overlay SetTacks::overlay(const Desk& desk) const {
     return overlay;
 }
 
-std::vector<Item> SetTacks::hovered() const {
-    return under_ ? std::vector<Item>{under_->tack} : std::vector<Item>{};
+std::optional<Item> SetTacks::hovered() const {
+    if (!under_) return std::nullopt;
+    return under_->tack;
 }
 
 QString SetTacks::hint() const {

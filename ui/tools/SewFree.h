@@ -11,7 +11,6 @@ class SewFree : public Tool {
 public:
     Effect press(const Desk& desk, const PointerEvent& event) override;
     Effect move(const Desk& desk, const PointerEvent& event) override;
-    Effect doubleClick(const Desk&, const PointerEvent&) override { return {}; }
     Effect key(const Desk& desk, ToolKey key) override;
     void cancel() override;
     [[nodiscard]] Overlay overlay(const Desk& desk) const override;

@@ -113,8 +113,9 @@ Overlay SewSegments::overlay(const Desk& desk) const {
     return overlay;
 }
 
-std::vector<Item> SewSegments::hovered() const {
-    return under_ ? std::vector<Item>{under_->edge} : std::vector<Item>{};
+std::optional<Item> SewSegments::hovered() const {
+    if (!under_) return std::nullopt;
+    return under_->edge;
 }
 
 QString SewSegments::hint() const {

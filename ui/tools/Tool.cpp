@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/Tool.h"
 
+#include "ui/tools/DeleteSelection.h"
+
 namespace toile::ui {
 
 Effect effectOf(const QString& name, Result<document::Document> after, std::string mergeKey) {
@@ -15,6 +17,16 @@ Effect refusal(const QString& why) {
     effect.message = why;
     effect.refused = true;
     return effect;
+}
+
+Effect Tool::key(const Desk& desk, ToolKey key) {
+    switch (key) {
+    case ToolKey::escape: return {.selection = Selection{}};
+    case ToolKey::backspace:
+    case ToolKey::erase: return deleteSelection(desk);
+    case ToolKey::enter: return {};
+    }
+    return {};
 }
 
 } // namespace toile::ui

@@ -48,15 +48,18 @@ public:
     virtual Effect press(const Desk&, const PointerEvent&) { return {}; }
     virtual Effect move(const Desk&, const PointerEvent&) { return {}; }
     virtual Effect release(const Desk&, const PointerEvent&) { return {}; }
-    virtual Effect doubleClick(const Desk& desk, const PointerEvent& event) { return press(desk, event); }
-    virtual Effect key(const Desk&, ToolKey) { return {}; }
+    /// The second press of a double click comes here, not to `press`.
+    virtual Effect doubleClick(const Desk&, const PointerEvent&) { return {}; }
+    /// Esc selects nothing; Delete and Backspace take out what is selected.
+    virtual Effect key(const Desk& desk, ToolKey key);
     /// Turns of the wheel with Ctrl held; true when the tool used them.
     virtual bool wheel(double) { return false; }
     /// Back to the beginning, without an edit.
     virtual void cancel() {}
 
     [[nodiscard]] virtual Overlay overlay(const Desk&) const { return {}; }
-    [[nodiscard]] virtual std::vector<Item> hovered() const { return {}; }
+    /// What a click would take hold of.
+    [[nodiscard]] virtual std::optional<Item> hovered() const { return std::nullopt; }
     /// What to do next, for the status line.
     [[nodiscard]] virtual QString hint() const = 0;
     /// Vertices and handles are drawn while this tool is in use.
