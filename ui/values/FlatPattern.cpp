@@ -2,6 +2,7 @@
 #include "ui/values/FlatPattern.h"
 
 #include "core/pattern/CutLine.h"
+#include "core/pattern/PatternMeasures.h"
 
 #include <algorithm>
 
@@ -109,23 +110,15 @@ bool covers(const FlatPiece& piece, Vec2 point) {
 }
 
 std::optional<EdgePlace> placeOf(const Piece& piece, const EdgeId& edge) {
-    for (std::size_t loop = 0; loop <= piece.holes.size(); ++loop) {
-        const Contour& contour = loop == 0 ? piece.outline : piece.holes[loop - 1];
-        const auto found = std::ranges::find(contour.edges, edge, &Edge::id);
-        if (found != contour.edges.end())
-            return EdgePlace{loop, static_cast<std::size_t>(found - contour.edges.begin())};
-    }
-    return std::nullopt;
+    const auto found = findEdge(piece, edge);
+    if (!found) return std::nullopt;
+    return EdgePlace{static_cast<std::size_t>(found->loop), found->index};
 }
 
 std::optional<VertexPlace> placeOf(const Piece& piece, const VertexId& vertex) {
-    for (std::size_t loop = 0; loop <= piece.holes.size(); ++loop) {
-        const Contour& contour = loop == 0 ? piece.outline : piece.holes[loop - 1];
-        const auto found = std::ranges::find(contour.vertices, vertex, &Vertex::id);
-        if (found != contour.vertices.end())
-            return VertexPlace{loop, static_cast<std::size_t>(found - contour.vertices.begin())};
-    }
-    return std::nullopt;
+    const auto found = findVertex(piece, vertex);
+    if (!found) return std::nullopt;
+    return VertexPlace{static_cast<std::size_t>(found->loop), found->index};
 }
 
 std::vector<Vec2> pathOf(const FlatPattern& pattern, const SeamPart& part) {

@@ -12,6 +12,23 @@ namespace {
 
 using namespace pattern;
 
+/// The nearest of what is offered within a tolerance [m]; of two that are equally near the later one.
+template <class Thing>
+class Nearest {
+public:
+    explicit Nearest(double tolerance) : distance_(tolerance) {}
+    void offer(double distance, const Thing& thing) {
+        if (!(distance <= distance_)) return;
+        distance_ = distance;
+        thing_ = thing;
+    }
+    [[nodiscard]] const std::optional<Thing>& thing() const { return thing_; }
+
+private:
+    double distance_;
+    std::optional<Thing> thing_;
+};
+
 double distanceToPath(const std::vector<Vec2>& path, Vec2 point) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < path.size(); ++i)
@@ -50,48 +67,35 @@ EdgeHit hitOn(const FlatPiece& piece, EdgePlace place, Vec2 point) {
 } // namespace
 
 std::optional<VertexRef> vertexAt(const FlatPattern& pattern, Vec2 point, double tolerance) {
-    std::optional<VertexRef> best;
-    double nearest = tolerance;
+    Nearest<VertexRef> nearest(tolerance);
     for (const FlatPiece& piece : pattern.pieces)
         for (std::size_t loop = 0; loop < piece.loops(); ++loop)
             for (const Vertex& vertex : piece.contour(loop).vertices)
-                if (const double d = distance(vertex.position, point); d <= nearest) {
-                    nearest = d;
-                    best = VertexRef{piece.piece.id, vertex.id};
-                }
-    return best;
+                nearest.offer(distance(vertex.position, point), {piece.piece.id, vertex.id});
+    return nearest.thing();
 }
 
 std::optional<HandleRef> handleAt(const FlatPattern& pattern, Vec2 point, double tolerance) {
-    std::optional<HandleRef> best;
-    double nearest = tolerance;
+    Nearest<HandleRef> nearest(tolerance);
     for (const FlatPiece& piece : pattern.pieces)
         for (std::size_t loop = 0; loop < piece.loops(); ++loop)
             for (const Edge& edge : piece.contour(loop).edges)
-                if (const auto* cubic = std::get_if<geometry::CubicShape>(&edge.shape))
-                    for (int control = 1; control <= 2; ++control) {
-                        const double d = distance(control == 1 ? cubic->control1 : cubic->control2, point);
-                        if (d > nearest) continue;
-                        nearest = d;
-                        best = HandleRef{{piece.piece.id, edge.id}, control};
-                    }
-    return best;
+                if (const auto* cubic = std::get_if<geometry::CubicShape>(&edge.shape)) {
+                    nearest.offer(distance(cubic->control1, point), {{piece.piece.id, edge.id}, 1});
+                    nearest.offer(distance(cubic->control2, point), {{piece.piece.id, edge.id}, 2});
+                }
+    return nearest.thing();
 }
 
 std::optional<EdgeHit> edgeAt(const FlatPattern& pattern, Vec2 point, double tolerance) {
-    const FlatPiece* nearestPiece = nullptr;
-    EdgePlace nearestPlace;
-    double nearest = tolerance;
+    Nearest<std::pair<const FlatPiece*, EdgePlace>> nearest(tolerance);
     for (const FlatPiece& piece : pattern.pieces)
         for (std::size_t loop = 0; loop < piece.loops(); ++loop)
             for (std::size_t edge = 0; edge < piece.flat(loop).edges.size(); ++edge)
-                if (const double d = distanceToPath(piece.flat(loop).edges[edge], point); d <= nearest) {
-                    nearest = d;
-                    nearestPiece = &piece;
-                    nearestPlace = {loop, edge};
-                }
-    if (!nearestPiece) return std::nullopt;
-    return hitOn(*nearestPiece, nearestPlace, point);
+                nearest.offer(distanceToPath(piece.flat(loop).edges[edge], point), {&piece, {loop, edge}});
+    if (!nearest.thing()) return std::nullopt;
+    const auto& [piece, place] = *nearest.thing();
+    return hitOn(*piece, place, point);
 }
 
 std::optional<PieceId> pieceAt(const FlatPattern& pattern, Vec2 point) {
@@ -118,53 +122,37 @@ std::optional<RegionRef> regionAt(const FlatPattern& pattern, Vec2 point) {
 }
 
 std::optional<SeamId> seamAt(const Pattern& document, const FlatPattern& flat, Vec2 point, double tolerance) {
-    std::optional<SeamId> best;
-    double nearest = tolerance;
+    Nearest<SeamId> nearest(tolerance);
     for (const Seam& seam : document.seams)
         for (const auto& side : seam.sides)
-            for (const SeamPart& part : side)
-                if (const double d = distanceToPath(pathOf(flat, part), point); d <= nearest) {
-                    nearest = d;
-                    best = seam.id;
-                }
-    return best;
+            for (const SeamPart& part : side) nearest.offer(distanceToPath(pathOf(flat, part), point), seam.id);
+    return nearest.thing();
 }
 
 std::optional<TackEnd> tackEndAt(const Pattern& document, const FlatPattern& flat, Vec2 point, double tolerance) {
-    std::optional<TackEnd> best;
-    double nearest = tolerance;
+    Nearest<TackEnd> nearest(tolerance);
     for (const Tack& tack : document.tacks)
         for (std::size_t end = 0; end < 2; ++end)
-            if (const auto at = positionOf(flat, tack.ends[end]); at && distance(*at, point) <= nearest) {
-                nearest = distance(*at, point);
-                best = TackEnd{tack.id, end};
-            }
-    return best;
+            if (const auto at = positionOf(flat, tack.ends[end])) nearest.offer(distance(*at, point), {tack.id, end});
+    return nearest.thing();
 }
 
 std::optional<FoldRef> foldAt(const FlatPattern& pattern, Vec2 point, double tolerance) {
-    std::optional<FoldRef> best;
-    double nearest = tolerance;
+    Nearest<FoldRef> nearest(tolerance);
     for (const FlatPiece& piece : pattern.pieces)
         for (const Fold& fold : piece.piece.folds)
-            if (const double d = distanceToPath(pointsOf(piece.piece, fold), point); d <= nearest) {
-                nearest = d;
-                best = FoldRef{piece.piece.id, fold.id};
-            }
-    return best;
+            nearest.offer(distanceToPath(pointsOf(piece.piece, fold), point), {piece.piece.id, fold.id});
+    return nearest.thing();
 }
 
 std::optional<FoldEnd> foldEndAt(const FlatPattern& pattern, Vec2 point, double tolerance) {
-    std::optional<FoldEnd> best;
-    double nearest = tolerance;
+    Nearest<FoldEnd> nearest(tolerance);
     for (const FlatPiece& piece : pattern.pieces)
         for (const Fold& fold : piece.piece.folds)
             for (std::size_t end = 0; end < 2; ++end)
-                if (const auto at = pointOf(piece.piece, fold.ends[end]); at && distance(*at, point) <= nearest) {
-                    nearest = distance(*at, point);
-                    best = FoldEnd{{piece.piece.id, fold.id}, end};
-                }
-    return best;
+                if (const auto at = pointOf(piece.piece, fold.ends[end]))
+                    nearest.offer(distance(*at, point), {{piece.piece.id, fold.id}, end});
+    return nearest.thing();
 }
 
 std::optional<Vec2> positionOf(const FlatPattern& pattern, const ClothPoint& place) {
