@@ -6,8 +6,6 @@
 #include "ui/panels/SheetEdits.h"
 #include "ui/values/Picking.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <cmath>
 
@@ -16,10 +14,6 @@ namespace {
 
 using namespace pattern;
 using document::Document;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Properties", text);
-}
 
 QString nameOf(const Desk& desk, const PieceId& id) {
     const Piece* piece = findPiece(desk.document.pattern, id);

@@ -2,17 +2,11 @@
 #include "core/pattern/PatternFabrics.h"
 #include "ui/panels/SheetEdits.h"
 
-#include <QCoreApplication>
-
 namespace toile::ui {
 namespace {
 
 using namespace pattern;
 using document::Document;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Properties", text);
-}
 
 /// A setter of a constant of the fabric; the result is checked.
 auto constant(const FabricId& fabric, auto change) {

@@ -3,18 +3,12 @@
 #include "core/pattern/PatternMeasures.h"
 #include "ui/panels/SheetEdits.h"
 
-#include <QCoreApplication>
-
 #include <numbers>
 
 namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Properties", text);
-}
 
 } // namespace
 

@@ -5,8 +5,6 @@
 #include "core/pattern/PatternPlacement.h"
 #include "ui/panels/SheetEdits.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,10 +14,6 @@ namespace {
 
 using namespace pattern;
 using document::Document;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Properties", text);
-}
 
 Placement placementOf(const Piece& piece) {
     return piece.placement.value_or(Placement{});

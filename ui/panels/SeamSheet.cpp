@@ -3,8 +3,6 @@
 #include "core/pattern/PatternSeams.h"
 #include "ui/panels/SheetEdits.h"
 
-#include <QCoreApplication>
-
 #include <cmath>
 #include <numbers>
 
@@ -13,10 +11,6 @@ namespace {
 
 using namespace pattern;
 using document::Document;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Properties", text);
-}
 
 /// Difference of lengths that is neither declared as ease nor as gathering: worth a look from this on [m].
 constexpr double notableMismatch = 0.5e-3;

@@ -2,8 +2,6 @@
 #include "core/pattern/PatternTacks.h"
 #include "ui/panels/SheetEdits.h"
 
-#include <QCoreApplication>
-
 #include <cmath>
 
 namespace toile::ui {
@@ -13,10 +11,6 @@ using namespace pattern;
 using document::Document;
 
 constexpr double shirtButton = 0.011; ///< diameter of a man's shirt's buttons, 18 lignes [m]
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Properties", text);
-}
 
 /// Where an end lies, in the plane of its piece.
 void addEndRows(PropertySheet& sheet, const Document& document, const Tack& tack, std::size_t end) {
