@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/PatternFolds.h"
 
-#include "core/pattern/PatternCheck.h"
 #include "core/pattern/PatternContours.h"
 #include "core/pattern/PatternPieces.h"
+#include "tests/pattern/ErrorsOf.h"
 #include "tests/pattern/TwoPanels.h"
 
 #include <QtTest>
@@ -12,6 +12,7 @@
 
 using namespace toile;
 using namespace toile::pattern;
+using tests::errorsOf;
 
 class tst_PatternFolds : public QObject {
     Q_OBJECT
@@ -44,13 +45,6 @@ Pattern folded() {
 
 const Fold& foldOf(const Pattern& pattern, const PieceId& piece = back) {
     return findPiece(pattern, piece)->folds.front();
-}
-
-std::vector<std::string> errorsOf(const Pattern& pattern) {
-    std::vector<std::string> texts;
-    for (const Problem& problem : checkPattern(pattern))
-        if (problem.isError) texts.push_back(toString(problem));
-    return texts;
 }
 
 } // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/PatternTacks.h"
 
-#include "core/pattern/PatternCheck.h"
 #include "core/pattern/PatternContours.h"
 #include "core/pattern/PatternPieces.h"
+#include "tests/pattern/ErrorsOf.h"
 #include "tests/pattern/TwoPanels.h"
 
 #include <QtTest>
@@ -11,6 +11,7 @@
 
 using namespace toile;
 using namespace toile::pattern;
+using tests::errorsOf;
 
 class tst_PatternTacks : public QObject {
     Q_OBJECT
@@ -38,13 +39,6 @@ Pattern tacked() {
 }
 
 const TackId bar("t50");
-
-std::vector<std::string> errorsOf(const Pattern& pattern) {
-    std::vector<std::string> texts;
-    for (const Problem& problem : checkPattern(pattern))
-        if (problem.isError) texts.push_back(toString(problem));
-    return texts;
-}
 
 } // namespace
 
