@@ -35,6 +35,13 @@ Progress ProgressBar::progress() {
     return [this](double fraction, const std::string& what) { show(fraction, what); };
 }
 
+Progress ProgressBar::progress(std::size_t done, std::size_t parts) {
+    if (quiet_) return {};
+    return [this, done, parts](double fraction, const std::string& what) {
+        show((static_cast<double>(done) + fraction) / static_cast<double>(parts), what);
+    };
+}
+
 void ProgressBar::show(double fraction, const std::string& what) {
     const auto now = std::chrono::steady_clock::now();
     const double between = terminal_ ? 0.1 : 1.0;

@@ -5,6 +5,7 @@
 #include "core/base/Result.h"
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 
 namespace toile::batch {
@@ -27,6 +28,8 @@ public:
     ~ProgressBar(); ///< ends the line
 
     [[nodiscard]] Progress progress();
+    /// Of one part of a work of so many that take alike: `done` of them lie behind it.
+    [[nodiscard]] Progress progress(std::size_t done, std::size_t parts);
 
 private:
     void show(double fraction, const std::string& what);

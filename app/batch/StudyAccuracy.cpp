@@ -62,12 +62,10 @@ int studyAccuracy(const StudyOptions& options, std::stop_token stop) {
     ProgressBar bar(options.quiet);
     std::vector<study::CaseResult> results;
     for (std::size_t i = 0; i < plan.cases.size(); ++i) {
-        const auto whole = [&, shown = bar.progress()](double fraction, const std::string& what) {
-            report(shown, (static_cast<double>(i) + fraction) / static_cast<double>(plan.cases.size()), what);
-        };
+        const Progress progress = bar.progress(i, plan.cases.size());
         auto result = book->part(
             study::keysOf(plan.cases[i]), [&](const auto& known) { return study::resultFrom(plan.cases[i], known); },
-            [&] { return study::studied(plan.cases[i], plan.repetitions, stop, whole); },
+            [&] { return study::studied(plan.cases[i], plan.repetitions, stop, progress); },
             [&](const study::CaseResult& run) { return study::recordsOf(run, circumstances); });
         if (!result) {
             printError(result.error());

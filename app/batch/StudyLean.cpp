@@ -95,14 +95,11 @@ Result<std::vector<FeatureResult>> run(const StudyOptions& options, std::stop_to
     std::size_t variants = 0; // so far
     std::vector<FeatureResult> results;
     for (const Feature& feature : *features) {
-        const auto whole = [&, shown = bar.progress()](double fraction, const std::string& what) {
-            report(shown, (static_cast<double>(results.size()) + fraction) / static_cast<double>(features->size()),
-                   what);
-        };
+        const Progress progress = bar.progress(results.size(), features->size());
         auto result = book->part(
             keysOf(feature, settings), [&](const auto& known) { return resultFrom(feature, known); },
             [&] {
-                auto run = studied(feature, settings, stop, whole);
+                auto run = studied(feature, settings, stop, progress);
                 if (run && settings.counted)
                     addInstructions(*run, feature, std::span(*instructions).subspan(variants, feature.variants.size()));
                 return run;

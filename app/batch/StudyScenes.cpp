@@ -52,9 +52,7 @@ Result<std::vector<Outcome>> run(const StudyOptions& options, const std::stop_to
     for (const Case& one : *cases) {
         Effort effort{.stop = stop};
         if (options.repetitions > 0) effort.repetitions = options.repetitions;
-        effort.progress = [&, shown = bar.progress()](double fraction, const std::string& what) {
-            report(shown, (static_cast<double>(outcomes.size()) + fraction) / static_cast<double>(cases->size()), what);
-        };
+        effort.progress = bar.progress(outcomes.size(), cases->size());
         auto outcome = book->part(
             keysOf(one), [&](const auto& known) -> Result<Outcome> { return outcomeFrom(one, known); },
             [&]() -> Result<Outcome> {
