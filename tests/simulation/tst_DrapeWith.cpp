@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
-#include "core/simulation/Sew.h"
+#include "tests/simulation/Sewn.h"
 
 #include <QtTest>
 
@@ -10,18 +10,10 @@ using dynamics::Method;
 
 namespace {
 
-Simulation simulationOf(const Scene& scene) {
-    auto simulation = Simulation::create(scene);
-    if (!simulation) qFatal("%s", toString(simulation.error()).c_str());
-    return std::move(*simulation);
-}
-
 SewReport sewnBy(std::optional<Method> method, const SewSettings& settings = {}) {
     Simulation simulation = simulationOf(twoSquares(0.05));
     simulation.drapeWith(method);
-    auto report = sew(simulation, settings);
-    if (!report) qFatal("%s", toString(report.error()).c_str());
-    return std::move(*report);
+    return sewn(simulation, settings);
 }
 
 } // namespace

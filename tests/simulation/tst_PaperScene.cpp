@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
-#include "core/simulation/Sew.h"
+#include "tests/simulation/Sewn.h"
 
 #include <QtTest>
 
@@ -13,12 +13,6 @@ Scene paperScene() {
     Scene scene = twoSquares();
     scene.paper = true;
     return scene;
-}
-
-Simulation simulationOf(const Scene& scene) {
-    auto simulation = Simulation::create(scene);
-    if (!simulation) qFatal("%s", toString(simulation.error()).c_str());
-    return std::move(*simulation);
 }
 
 } // namespace

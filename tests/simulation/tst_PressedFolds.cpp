@@ -2,7 +2,7 @@
 #include "SmallScenes.h"
 #include "core/cloth/FoldAngle.h"
 #include "core/simulation/MeshInputOf.h"
-#include "core/simulation/Sew.h"
+#include "tests/simulation/Sewn.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -33,12 +33,6 @@ Scene strip(double angle, double factor = 1, double askew = 0) {
     piece.folds = {fold};
     scene.pattern.pieces.push_back(std::move(piece));
     return scene;
-}
-
-Simulation simulationOf(const Scene& scene) {
-    auto simulation = Simulation::create(scene);
-    if (!simulation) qFatal("%s", toString(simulation.error()).c_str());
-    return std::move(*simulation);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
-#include "core/simulation/Sew.h"
+#include "tests/simulation/Sewn.h"
 
 #include <QtTest>
 
@@ -18,14 +18,6 @@ Scene curtain() {
     for (const char* corner : {"v2", "v3"})
         scene.pattern.pins.push_back({pattern::PinId(corner), pattern::PieceId("left"), pattern::VertexId(corner)});
     return scene;
-}
-
-SewReport sewn(const Scene& scene, const SewSettings& settings = {}) {
-    auto simulation = Simulation::create(scene);
-    if (!simulation) qFatal("%s", toString(simulation.error()).c_str());
-    auto report = sew(*simulation, settings);
-    if (!report) qFatal("%s", toString(report.error()).c_str());
-    return std::move(*report);
 }
 
 std::vector<std::string> leftOutOf(const SewReport& report) {

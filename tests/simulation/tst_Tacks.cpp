@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/pattern/PatternTacks.h"
-#include "core/simulation/Sew.h"
 #include "tests/dynamics/DenseSink.h"
+#include "tests/simulation/Sewn.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -45,21 +45,8 @@ Scene buttoned(double spacing = 0.02) {
     return scene;
 }
 
-Simulation simulationOf(const Scene& scene) {
-    auto simulation = Simulation::create(scene);
-    if (!simulation) qFatal("%s", toString(simulation.error()).c_str());
-    return std::move(*simulation);
-}
-
 void run(Simulation& simulation, int frames) {
     for (int i = 0; i < frames; ++i) QVERIFY(simulation.advance());
-}
-
-SewReport sewn(const Scene& scene) {
-    Simulation simulation = simulationOf(scene);
-    auto report = sew(simulation, {});
-    if (!report) qFatal("%s", toString(report.error()).c_str());
-    return std::move(*report);
 }
 
 /// Four particles, two on either end of a thread of 10 mm that is taut by `gap`.

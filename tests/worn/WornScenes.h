@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/body/Mannequin.h"
-#include "core/simulation/Sew.h"
 #include "samples/Blouse.h"
+#include "tests/simulation/Sewn.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -36,11 +36,7 @@ inline Scene onMannequin(pattern::Pattern pattern) {
 
 /// The garment after so many simulated seconds, without the finish by statics: it does not have to be at rest.
 inline SewReport sewnFor(double seconds, const Scene& scene) {
-    auto simulation = Simulation::create(scene);
-    if (!simulation) qFatal("%s", toString(simulation.error()).c_str());
-    auto report = sew(*simulation, {.seconds = seconds});
-    if (!report) qFatal("%s", toString(report.error()).c_str());
-    return std::move(*report);
+    return sewn(scene, {.seconds = seconds});
 }
 
 /// One of the reasons why the garment is not worn holds these words.

@@ -26,12 +26,6 @@ int framesToRest(Simulation& simulation) {
     return 1200;
 }
 
-Simulation simulationOf(const Scene& scene) {
-    auto made = Simulation::create(scene);
-    if (!made) qFatal("%s", toString(made.error()).c_str());
-    return std::move(*made);
-}
-
 /// Root mean square of the distances of equal nodes [m].
 double apart(const Simulation& one, const Simulation& other) {
     const auto a = one.nodePositions(), b = other.nodePositions();

@@ -43,11 +43,7 @@ document::Document throughAFile(const document::Document& document) {
 
 /// Until it is at rest.
 SewReport sewnToRest(const body::Body& body, const pattern::Pattern& arranged, const SceneSettings& settings) {
-    auto simulation = Simulation::create({arranged, Shared<body::Body>(body), settings});
-    if (!simulation) qFatal("%s", toString(simulation.error()).c_str());
-    auto report = sew(*simulation, {});
-    if (!report) qFatal("%s", toString(report.error()).c_str());
-    return std::move(*report);
+    return sewn({arranged, Shared<body::Body>(body), settings});
 }
 
 void verifyIsWorn(const SewReport& report) {

@@ -19,14 +19,6 @@ Scene tubeRoundPost(double shoulderHeight) {
     return {tube.pattern, Shared<body::Body>(post), tube.scene};
 }
 
-SewReport sewn(const Scene& scene, const SewSettings& settings = {}) {
-    auto simulation = Simulation::create(scene);
-    if (!simulation) qFatal("%s", toString(simulation.error()).c_str());
-    auto report = sew(*simulation, settings);
-    if (!report) qFatal("%s", toString(report.error()).c_str());
-    return std::move(*report);
-}
-
 constexpr double farAbove = 2, farBelow = 0; // [m]
 
 } // namespace

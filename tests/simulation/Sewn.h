@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/Sew.h"
+
+#include <QtGlobal>
+
+namespace toile::simulation {
+
+/// Of a scene that can be simulated.
+inline Simulation simulationOf(const Scene& scene) {
+    auto simulation = Simulation::create(scene);
+    if (!simulation) qFatal("%s", toString(simulation.error()).c_str());
+    return std::move(*simulation);
+}
+
+inline SewReport sewn(Simulation& simulation, const SewSettings& settings = {}) {
+    auto report = sew(simulation, settings);
+    if (!report) qFatal("%s", toString(report.error()).c_str());
+    return std::move(*report);
+}
+
+inline SewReport sewn(const Scene& scene, const SewSettings& settings = {}) {
+    Simulation simulation = simulationOf(scene);
+    return sewn(simulation, settings);
+}
+
+} // namespace toile::simulation
