@@ -126,6 +126,19 @@ std::vector<Segment> segmentsOf(const BoundaryNodes& nodes, const std::vector<in
     return segments;
 }
 
+/// A side from this node of the border begins inside the piece; one that then meets no border stays there.
+bool setsOutInside(const BoundaryNodes& nodes, int from, int towards) {
+    for (const std::vector<int>& ring : nodes.rings) {
+        const auto found = std::ranges::find(ring, from);
+        if (found == ring.end()) continue;
+        const int previous = found == ring.begin() ? ring.back() : *std::prev(found);
+        const int next = std::next(found) == ring.end() ? ring.front() : *std::next(found);
+        return insideCorner(nodes.grid[at(previous)], nodes.grid[at(from)], nodes.grid[at(next)],
+                            nodes.grid[at(towards)]);
+    }
+    return false;
+}
+
 /// A fold's nodes between its ends lie inside, and its sides meet nothing but at nodes.
 Result<void> checkCourse(const PieceInput& piece, std::size_t number, const BoundaryNodes& nodes) {
     const FoldInput& fold = piece.folds[number];
@@ -163,12 +176,7 @@ Result<void> checkCourse(const PieceInput& piece, std::size_t number, const Boun
             if (clash(own[i], own[j]))
                 return refuse(piece, fold,
                               "The fold crosses or touches itself near " + pointText(nodes.points[at(line[i])]) + ".");
-    if (own.size() == 1) { // a chord: no node of its own tells on which side of the border it runs
-        const GridPoint middle{(own[0].a.x + own[0].b.x) / 2, (own[0].a.y + own[0].b.y) / 2};
-        for (std::size_t r = 0; r < nodes.rings.size(); ++r)
-            if (isInside(gridRing(r), middle) != (r == 0))
-                return refuse(piece, fold, "The fold runs outside the piece.");
-    }
+    if (!setsOutInside(nodes, line[0], line[1])) return refuse(piece, fold, "The fold runs outside the piece.");
     return {};
 }
 

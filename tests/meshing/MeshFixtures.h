@@ -4,12 +4,10 @@
 #include "core/meshing/GarmentMesh.h"
 
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <set>
 #include <string>
 
-/// Inputs and referees that the mesher's tests share.
+/// Inputs that the mesher's tests share, and areas to hold their meshes to.
 namespace toile::meshing {
 
 inline BoundaryLoop loopThrough(const std::vector<Vec2>& corners) {
@@ -94,64 +92,6 @@ inline double boundaryArea(const PieceMesh& mesh) {
         sum += std::abs(geometry::signedArea(ring)) * (&loop == &mesh.loops.front() ? 1 : -1);
     }
     return sum;
-}
-
-/// What must hold for every mesh; empty when it does.
-inline std::string defectOf(const PieceMesh& mesh, int holes = 0) {
-    const auto at = [](int i) { return static_cast<std::size_t>(i); };
-    std::map<std::array<int, 2>, int> directed;
-    std::set<int> used;
-    for (const auto& t : mesh.display) {
-        if (triangleArea(mesh.nodes[at(t[0])], mesh.nodes[at(t[1])], mesh.nodes[at(t[2])]) <= 0)
-            return "an inverted triangle";
-        for (std::size_t i = 0; i < 3; ++i) {
-            used.insert(t[i]);
-            if (++directed[{t[i], t[(i + 1) % 3]}] > 1) return "an edge used twice in one direction";
-        }
-    }
-    if (used.size() != mesh.nodes.size()) return "a node without a triangle";
-    std::set<std::array<int, 2>> border;
-    for (const auto& loop : mesh.loops)
-        for (const EdgeNodes& edge : loop)
-            for (std::size_t k = 0; k + 1 < edge.size(); ++k)
-                if (edge[k].node != edge[k + 1].node)
-                    border.insert({std::min(edge[k].node, edge[k + 1].node), std::max(edge[k].node, edge[k + 1].node)});
-    std::size_t open = 0, edges = 0;
-    for (const auto& [edge, count] : directed) {
-        const bool twin = directed.contains({edge[1], edge[0]});
-        edges += twin ? (edge[0] < edge[1] ? 1 : 0) : 1;
-        if (twin) continue;
-        ++open;
-        if (!border.contains({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])}))
-            return "a crack or an edge beside the border";
-    }
-    if (open != border.size()) return "a border segment that bears no triangle";
-    const long euler =
-        static_cast<long>(mesh.nodes.size()) - static_cast<long>(edges) + static_cast<long>(mesh.display.size());
-    if (euler != 1 - holes) return "Euler's number is " + std::to_string(euler);
-    if (std::abs(displayArea(mesh) - boundaryArea(mesh)) > 1e-9 * boundaryArea(mesh)) return "the areas differ";
-    for (const Rectangle& r : mesh.rectangles) {
-        const auto corner = [&](std::size_t i) { return mesh.material[at(r.nodes[i])]; };
-        if (corner(0).y != corner(1).y || corner(1).x != corner(2).x || corner(2).y != corner(3).y ||
-            corner(3).x != corner(0).x || corner(1).x <= corner(0).x || corner(3).y <= corner(0).y)
-            return "a rectangle that is none";
-    }
-    std::set<int> slaves, onBorder;
-    for (const SlaveNode& slave : mesh.slaves) slaves.insert(slave.node);
-    for (const auto& [low, high] : border) onBorder.insert({low, high});
-    for (const SlaveNode& slave : mesh.slaves) {
-        Vec2 sum;
-        double weights = 0;
-        for (const auto& [master, weight] : slave.masters) {
-            if (slaves.contains(master)) return "a slave of a slave";
-            sum += mesh.material[at(master)] * weight;
-            weights += weight;
-        }
-        if (onBorder.contains(slave.node)) return "a slave on the border";
-        if (std::abs(weights - 1) > 1e-14) return "weights that do not sum to one";
-        if (distance(sum, mesh.material[at(slave.node)]) > 1e-12) return "a slave beside its masters' line";
-    }
-    return {};
 }
 
 } // namespace toile::meshing

@@ -31,8 +31,18 @@ inline Json jsonOf(const BoundaryLoop& loop) {
     return edges;
 }
 
+inline Json jsonOf(const FoldInput& fold) {
+    Json json, ends{Json::Array{}};
+    for (const FoldEndInput& end : fold.ends) {
+        Json one;
+        ends.push(one.set("loop", end.loop).set("edge", end.edge).set("fraction", end.fraction));
+    }
+    return json.set("points", jsonOf(fold.points)).set("ends", ends);
+}
+
 inline Json jsonOf(const PieceInput& piece) {
-    Json json, holes{Json::Array{}}, regions{Json::Array{}};
+    Json json, holes{Json::Array{}}, regions{Json::Array{}}, folds{Json::Array{}};
+    for (const FoldInput& fold : piece.folds) folds.push(jsonOf(fold));
     for (const BoundaryLoop& hole : piece.holes) holes.push(jsonOf(hole));
     for (const RegionInput& region : piece.regions) {
         Json one, regionHoles{Json::Array{}};
@@ -42,7 +52,7 @@ inline Json jsonOf(const PieceInput& piece) {
     }
     json.set("spacing", piece.spacing).set("grain", piece.grain).set("rule", static_cast<int>(piece.rule));
     json.set("border", static_cast<int>(piece.border)).set("mirrored", piece.mirrored);
-    return json.set("outline", jsonOf(piece.outline)).set("holes", holes).set("regions", regions);
+    return json.set("outline", jsonOf(piece.outline)).set("holes", holes).set("regions", regions).set("folds", folds);
 }
 
 inline Json jsonOf(const SeamInput& seam) {
@@ -100,6 +110,15 @@ struct InputReader {
         return loop;
     }
 
+    static FoldInput fold(const Json& json, std::size_t index) {
+        FoldInput fold{"f" + std::to_string(index), polygon(*json.find("points")), {}};
+        for (std::size_t end = 0; end < 2; ++end) {
+            const Json& one = items(json, "ends")[end];
+            fold.ends[end] = {whole(one, "loop"), whole(one, "edge"), number(one, "fraction")};
+        }
+        return fold;
+    }
+
     static PieceInput piece(const Json& json, std::string label) {
         PieceInput piece;
         piece.label = std::move(label);
@@ -118,6 +137,8 @@ struct InputReader {
             for (const Json& hole : items(region, "holes")) read.holes.push_back(polygon(hole));
             piece.regions.push_back(std::move(read));
         }
+        if (json.find("folds")) // older texts have none
+            for (const Json& one : items(json, "folds")) piece.folds.push_back(fold(one, piece.folds.size()));
         return piece;
     }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/GarmentMesher.h"
-#include "tests/meshing/MeshFixtures.h"
-#include "tests/meshing/RandomMeshInput.h"
+#include "tests/meshing/MeshReferee.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::meshing;
@@ -19,32 +18,6 @@ FoldInput foldAcross(const PieceInput& piece, FoldEndInput from, FoldEndInput to
     fold.points.insert(fold.points.end(), between.begin(), between.end());
     fold.points.push_back(pointAt(to));
     return fold;
-}
-
-/// Every two neighbours of a fold's nodes are a side of an element on either side of it, and lie on its line.
-std::string foldDefectOf(const PieceMesh& mesh, const FoldReport& report, double spacing) {
-    // A bend of less than 15° half-way between two nodes is cut off by half a spacing · sin(7.5°).
-    if (report.deviation > 0.0653 * spacing)
-        return "the fold is " + std::to_string(report.deviation) + " m beside its line";
-    std::set<std::array<int, 2>> directed;
-    for (const auto& t : mesh.display)
-        for (std::size_t i = 0; i < 3; ++i) directed.insert({t[i], t[(i + 1) % 3]});
-    for (const auto& fold : mesh.folds)
-        for (std::size_t i = 0; i + 1 < fold.size(); ++i)
-            if (!directed.contains({fold[i], fold[i + 1]}) || !directed.contains({fold[i + 1], fold[i]}))
-                return "a side of the fold that bears no triangle";
-    for (const Triangle& t : mesh.triangles) {
-        if (t.mergedWith < 0) continue;
-        const Triangle& other = mesh.triangles[static_cast<std::size_t>(t.mergedWith)];
-        for (const auto& fold : mesh.folds)
-            for (std::size_t i = 0; i + 1 < fold.size(); ++i) {
-                const auto has = [&](const Triangle& one) {
-                    return std::ranges::count(one.nodes, fold[i]) > 0 && std::ranges::count(one.nodes, fold[i + 1]) > 0;
-                };
-                if (has(t) && has(other)) return "a quadrilateral across the fold";
-            }
-    }
-    return {};
 }
 
 } // namespace
@@ -161,56 +134,6 @@ private slots:
         for (std::size_t i = 0; i < garment->pieces[0].nodes.size(); ++i)
             QVERIFY(distance(geometry::mirrored(garment->pieces[0].nodes[i], a, b), garment->pieces[1].nodes[i]) <
                     1e-12);
-    }
-
-    /// Between any two places of any border, through points anywhere: most leave the piece.
-    void randomFoldsMeshOrAreRefused() {
-        int meshed = 0, refused = 0;
-        for (std::uint64_t seed = 1; seed <= 600; ++seed) {
-            MeshInput input = RandomMeshInput(seed)();
-            input.seams.clear();
-            if (!meshGarment(input)) continue;
-            Random random(seed + 1000000);
-            for (PieceInput& piece : input.pieces) {
-                const auto end = [&] {
-                    const int loop = random.whole(0, static_cast<int>(piece.holes.size()));
-                    const BoundaryLoop& edges =
-                        loop == 0 ? piece.outline : piece.holes[static_cast<std::size_t>(loop - 1)];
-                    return FoldEndInput{loop, random.whole(0, static_cast<int>(edges.size()) - 1),
-                                        random.chance(0.2) ? 0 : random(0, 1)};
-                };
-                const auto pointAt = [&](const FoldEndInput& at) {
-                    const BoundaryLoop& edges =
-                        at.loop == 0 ? piece.outline : piece.holes[static_cast<std::size_t>(at.loop - 1)];
-                    return geometry::ArcLength(edges[static_cast<std::size_t>(at.edge)].curve).pointAt(at.fraction);
-                };
-                for (int n = random.whole(1, 2); n > 0; --n) {
-                    FoldInput fold{"f" + std::to_string(n), {}, {end(), end()}};
-                    const Vec2 from = pointAt(fold.ends[0]), to = pointAt(fold.ends[1]);
-                    fold.points = {from};
-                    if (random.chance(0.3)) fold.points.push_back(lerp(from, to, 0.5) + Vec2{random(-0.02, 0.02), 0});
-                    fold.points.push_back(to);
-                    piece.folds.push_back(fold);
-                }
-            }
-            const auto mesh = meshGarment(input);
-            if (!mesh) {
-                ++refused;
-                QVERIFY2(!mesh.error().place.object.empty() && !mesh.error().text.empty(), "named");
-                continue;
-            }
-            ++meshed;
-            for (std::size_t p = 0; p < input.pieces.size(); ++p) {
-                const std::string defect = defectOf(mesh->pieces[p], static_cast<int>(input.pieces[p].holes.size()));
-                QVERIFY2(defect.empty(), (defect + ", seed " + std::to_string(seed)).c_str());
-                for (const FoldReport& fold : mesh->report.pieces[p].folds) {
-                    const std::string wrong = foldDefectOf(mesh->pieces[p], fold, input.pieces[p].spacing);
-                    QVERIFY2(wrong.empty(), (wrong + ", seed " + std::to_string(seed)).c_str());
-                }
-            }
-        }
-        qInfo("%d meshed, %d refused", meshed, refused);
-        QVERIFY(meshed > 50);
     }
 
     void whatIsNoFoldIsRefused_data() {

@@ -2,7 +2,7 @@
 #include "core/meshing/GarmentMesher.h"
 #include "tests/meshing/RandomMeshInput.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::meshing;

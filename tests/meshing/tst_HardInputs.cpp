@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/meshing/MeshFixtures.h"
+#include "tests/meshing/MeshReferee.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <limits>
 

@@ -2,7 +2,7 @@
 #include <QDir>
 #include <QFile>
 #include <QProcess>
-#include <QtTest>
+#include <QTest>
 
 /// The mesher as a library for other programs: built and installed without the rest of Toile, and used by the example.
 class tst_MesherLibrary : public QObject {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QtTest>
+#include <QTest>
 
 #ifndef Q_MOC_RUN // moc stumbles over the library's concepts
 #include "core/meshing/MonotoneChains.h"

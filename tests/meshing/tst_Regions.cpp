@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/meshing/MeshFixtures.h"
+#include "tests/meshing/MeshReferee.h"
 
-#include <QtTest>
+#include <QTest>
+#include <map>
 
 using namespace toile;
 using namespace toile::meshing;

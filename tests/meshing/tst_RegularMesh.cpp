@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/Streaming.h"
-#include "tests/meshing/MeshFixtures.h"
+#include "tests/meshing/MeshReferee.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::meshing;
