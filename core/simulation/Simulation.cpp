@@ -136,7 +136,7 @@ void Simulation::rebuildPlan() {
     }
     xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model,
                                              dynamics::XpbdSettings{.damping = plannedDamping_, .speedLimit = 10});
-    xpbd_->workWith(team_.get());
+    xpbd_->workWith(teamWorthWaking());
     planSubsteps();
     integrator_.reset();
     calmingFrames_ = 0;
@@ -202,7 +202,13 @@ void Simulation::drapeWith(std::optional<dynamics::Method> method) {
 
 void Simulation::workWith(std::shared_ptr<Team> team) {
     team_ = std::move(team);
-    if (xpbd_) xpbd_->workWith(team_.get());
+    if (xpbd_) xpbd_->workWith(teamWorthWaking());
+}
+
+/// Below so many particles the members of a team wait for each other longer than they help (docs/simulation.md).
+Team* Simulation::teamWorthWaking() const {
+    constexpr int fewest = 4000;
+    return garment_->model.particleCount() >= fewest ? team_.get() : nullptr;
 }
 
 void Simulation::force(std::vector<std::string> stages) {

@@ -140,6 +140,7 @@ private:
 
     void rebuildPlan();
     void planSubsteps();
+    [[nodiscard]] Team* teamWorthWaking() const; ///< null: the cloth is too small to share
     [[nodiscard]] Result<void> drawTaut(std::stop_token stop);
     void correctByLevels(int levels);
     [[nodiscard]] bool levelsMayHelp() const;

@@ -21,7 +21,7 @@ Result<void> Simulation::drawTaut(std::stop_token stop) {
                                                length(scene_.settings.gravity));
     if (drapingMethod_ != dynamics::Method::xpbd || scene_.paper || coarseLevelsFor(substeps) == 0) return {};
     dynamics::Xpbd xpbd(garment_->model, {.damping = tautDamping, .speedLimit = 10});
-    xpbd.workWith(team_.get());
+    xpbd.workWith(teamWorthWaking());
     for (int frame = 0; frame < tautFrames; ++frame)
         if (auto done = xpbd.step(state_, duration, tautSubsteps * substeps, gravity(), plan_.stages(), stop); !done)
             return done;
