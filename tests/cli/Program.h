@@ -8,7 +8,7 @@
 #include <QProcess>
 #include <QString>
 #include <QStringList>
-#include <QtTest>
+#include <QTest>
 
 namespace toile {
 
@@ -27,10 +27,9 @@ inline QString sample(const QString& name) {
     return qEnvironmentVariable("TOILE_SOURCE_DIR") + "/samples/" + name;
 }
 
-inline Finished run(const QStringList& arguments) {
+inline Finished run(const QStringList& arguments, int patience = 120000 /* [ms] */) {
     QProcess process;
     process.start(program(), arguments);
-    constexpr int patience = 120000; // [ms]
     if (!process.waitForFinished(patience)) return {-1, {}, process.errorString()};
     const bool ended = process.exitStatus() == QProcess::NormalExit;
     return {ended ? process.exitCode() : -1, QString::fromUtf8(process.readAllStandardOutput()),

@@ -1,43 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/cli/Program.h"
+#include "tests/cli/Pages.h"
 
-#include <QRegularExpression>
+#include <QTemporaryDir>
 
 using namespace toile;
 
 namespace {
-
-QString page(const QString& name) {
-    return QString::fromUtf8(contentOf(qEnvironmentVariable("TOILE_SOURCE_DIR") + "/docs/" + name));
-}
-
-QStringList cellsOf(const QString& line) {
-    QStringList cells = line.split('|');
-    cells.removeFirst();
-    cells.removeLast();
-    for (QString& cell : cells) cell = cell.trimmed();
-    return cells;
-}
-
-/// The rows below the heading row that begins with this cell or these cells; none where there is no such table.
-QList<QStringList> tableIn(const QString& text, const QString& heading) {
-    const QStringList lines = text.split('\n');
-    QList<QStringList> rows;
-    for (qsizetype i = 0; i < lines.size(); ++i) {
-        if (!lines[i].startsWith("| " + heading + " |")) continue;
-        for (i += 2; i < lines.size() && lines[i].startsWith('|'); ++i) rows << cellsOf(lines[i]);
-        break;
-    }
-    return rows;
-}
-
-/// The lines of the page's code blocks that run this command, without the program's name.
-QList<QStringList> commandsIn(const QString& text, const QString& command) {
-    QList<QStringList> found;
-    for (const QString& line : text.split('\n'))
-        if (line.startsWith("toile-cli " + command)) found << QProcess::splitCommand(line).mid(1);
-    return found;
-}
 
 /// Of all pieces together, as `toile-cli mesh` reports it.
 struct Meshed {
@@ -70,6 +38,7 @@ class tst_DocumentedFigures : public QObject {
 private slots:
     void samplesHaveTheRectanglesThatThePageSays();
     void regionsSaveWhatThePageSays();
+    void rulesMeshTheBackAsThePageSays();
 };
 
 void tst_DocumentedFigures::samplesHaveTheRectanglesThatThePageSays() {
@@ -114,6 +83,28 @@ void tst_DocumentedFigures::regionsSaveWhatThePageSays() {
             QCOMPARE(written[6], made[8] + " + " + made[9]);
             QCOMPARE(written[7], made[10]);
         }
+    }
+}
+
+void tst_DocumentedFigures::rulesMeshTheBackAsThePageSays() {
+    const auto rows = tableIn(page("meshing-paper.md"), "rule | nodes | slaves | cells | rectangles");
+    QCOMPARE(rows.size(), 3);
+    for (const QStringList& row : rows) {
+        const QTemporaryDir folder;
+        const QString report = folder.filePath("mesh.json"), rule = QString(row[0]).remove('`');
+        const Finished finished = run(
+            {"mesh", sample("blouse.toile"), "--piece", "Back", "--spacing", "40", "--rule", rule, "--report", report});
+        QCOMPARE(finished.status, 0);
+        const Json json = jsonOf(contentOf(report));
+        const auto number = [&](const char* key) { return *json.find("total")->find(key)->asNumber(); };
+        QCOMPARE(QString::number(number("nodes")), row[1]);
+        QCOMPARE(QString::number(number("slaves")), row[2]);
+        QCOMPARE(QString::number(number("quads") + number("triangles")), row[3]);
+        QCOMPARE(percent(number("rectangleFraction")), row[4]);
+        QCOMPARE(QString::number(number("minimumAngleDegrees"), 'f', 1) + "°", row[5]);
+        // printed: piece, nodes, quads, triangles, rectangles, grain, least angle, 1 %, 5 % …
+        const QString all = finished.out.section("\nall ", 1).section('\n', 0, 0).simplified();
+        QCOMPARE(all.section(' ', 7, 7) + "°", row[6]);
     }
 }
 
