@@ -17,15 +17,21 @@ function(toile_room name)
 endfunction()
 
 # toile_tests(ROOM [LINKS library...])
-# Every tst_<Unit>.cpp of this folder is one QtTest program, labelled with the room: `ctest -L ROOM`.
+# Every tst_<Unit>.cpp of this folder is one QtTest program, labelled with the room: `ctest -L ROOM`. The target
+# `tests_ROOM` builds them.
 function(toile_tests room)
     cmake_parse_arguments(TESTS "" "" "LINKS" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tst_*.cpp)
+    add_custom_target(tests_${room})
     foreach(source IN LISTS sources)
         get_filename_component(test ${source} NAME_WE)
-        add_executable(${test} ${source})
-        set_target_properties(${test} PROPERTIES AUTOMOC ON
-                              RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+        # The one file has the one class: AUTOMOC would compile another for every test.
+        set(moc ${CMAKE_CURRENT_BINARY_DIR}/${test}.moc)
+        qt_generate_moc(${source} ${moc})
+        add_executable(${test} ${source} ${moc})
+        add_dependencies(tests_${room} ${test})
+        set_target_properties(${test} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+        target_include_directories(${test} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
         target_link_libraries(${test} PRIVATE toile_options ${TESTS_LINKS} Qt6::Test)
         add_test(NAME ${test} COMMAND ${test})
         set_tests_properties(${test} PROPERTIES LABELS ${room} TIMEOUT 900

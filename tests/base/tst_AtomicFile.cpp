@@ -2,7 +2,8 @@
 #include "core/base/AtomicFile.h"
 #include "core/base/RegularFile.h"
 
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include <sys/stat.h>
 #include <unistd.h>

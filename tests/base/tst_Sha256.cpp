@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/Sha256.h"
 
-#include <QtTest>
+#include <QTest>
 #include <string_view>
 
 using namespace toile;

@@ -4,7 +4,7 @@
 #include "core/body/Mannequin.h"
 #include "tests/body/SampleMeasurements.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 

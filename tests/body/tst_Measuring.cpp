@@ -3,7 +3,7 @@
 #include "core/body/Measuring.h"
 #include "tests/body/SampleMeasurements.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 using namespace toile;

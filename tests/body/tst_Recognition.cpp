@@ -4,7 +4,7 @@
 #include "core/body/MeshSection.h"
 #include "tests/body/SampleMeasurements.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <fstream>
 #include <sstream>

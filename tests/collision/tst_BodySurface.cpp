@@ -3,7 +3,7 @@
 #include "core/collision/ClosestPoint.h"
 #include "tests/collision/Shapes.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/base/Contracts.h"
 #include <limits>

@@ -3,7 +3,7 @@
 #include "core/collision/Intersections.h"
 #include "tests/collision/Shapes.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <array>
 

@@ -2,7 +2,7 @@
 #include "core/collision/Intersections.h"
 #include "core/collision/SelfProximity.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <random>
 #include <set>

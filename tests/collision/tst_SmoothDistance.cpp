@@ -2,7 +2,7 @@
 #include "core/collision/SmoothDistance.h"
 #include "tests/collision/Shapes.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using collision::BodySurface;

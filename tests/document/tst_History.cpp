@@ -3,7 +3,7 @@
 
 #include "core/document/DocumentEdits.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using document::Document;

@@ -5,7 +5,7 @@
 #include "core/study/validation/Layers.h"
 #include "tests/cloth/Fixtures.h"
 
-#include <QtTest>
+#include <QTest>
 
 /// Sheets of cloth above and beside each other, for the tests of self-contact.
 namespace toile::layers {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/dynamics/ContactWorld.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::contactWorld;

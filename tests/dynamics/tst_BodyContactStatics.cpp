@@ -5,7 +5,7 @@
 #include "tests/dynamics/ContactWorld.h"
 #include "tests/dynamics/DenseSink.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::contactWorld;

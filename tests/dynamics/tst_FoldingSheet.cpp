@@ -4,7 +4,7 @@
 #include "tests/collision/Shapes.h"
 #include "tests/dynamics/LayeredCloth.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::layers;

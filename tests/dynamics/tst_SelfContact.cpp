@@ -2,7 +2,7 @@
 #include "core/dynamics/Energy.h"
 #include "tests/dynamics/LayeredCloth.h"
 
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 using namespace toile;

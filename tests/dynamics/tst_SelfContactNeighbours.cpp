@@ -3,7 +3,7 @@
 #include "core/dynamics/Ways.h"
 #include "tests/dynamics/LayeredCloth.h"
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 #include <set>
 

@@ -3,7 +3,7 @@
 #include "tests/dynamics/DenseSink.h"
 #include "tests/dynamics/LayeredCloth.h"
 
-#include <QtTest>
+#include <QTest>
 #include <limits>
 #include <random>
 

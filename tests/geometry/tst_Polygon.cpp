@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/Polygon.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile::geometry;
 

@@ -6,7 +6,8 @@
 #include "core/io/ChildProcess.h"
 #include "tests/collision/Shapes.h"
 
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include <cstdio>
 #include <fmt/format.h>

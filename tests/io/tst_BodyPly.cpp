@@ -5,7 +5,8 @@
 #include "core/io/PlyReader.h"
 #include "tests/collision/Shapes.h"
 
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include <fmt/format.h>
 

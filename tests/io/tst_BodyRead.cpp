@@ -4,7 +4,8 @@
 #include "core/io/BodyImport.h"
 #include "tests/collision/Shapes.h"
 
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include <cstdio>
 #include <fmt/format.h>

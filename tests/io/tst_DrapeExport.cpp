@@ -6,7 +6,8 @@
 #include "core/io/GlbFile.h"
 #include "core/io/PlyReader.h"
 
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include <cstring>
 #include <limits>

@@ -5,7 +5,7 @@
 #include "core/pattern/PatternMeasures.h"
 
 #include <QDir>
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 using namespace toile;

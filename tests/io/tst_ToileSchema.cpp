@@ -4,7 +4,7 @@
 #include "tests/io/SampleDocument.h"
 
 #include <QFile>
-#include <QtTest>
+#include <QTest>
 #include <map>
 #include <set>
 

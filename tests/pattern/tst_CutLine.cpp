@@ -3,7 +3,7 @@
 #include "core/pattern/PatternMeasures.h"
 #include "tests/pattern/TwoPanels.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <numbers>
 

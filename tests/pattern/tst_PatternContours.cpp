@@ -4,7 +4,7 @@
 #include "core/pattern/PatternMeasures.h"
 #include "tests/pattern/TwoPanels.h"
 
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 using namespace toile;

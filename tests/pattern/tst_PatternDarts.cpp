@@ -7,7 +7,7 @@
 #include "core/pattern/PatternSeams.h"
 #include "tests/pattern/TwoPanels.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::pattern;

@@ -7,7 +7,7 @@
 #include "core/pattern/PatternPlacement.h"
 #include "tests/pattern/TwoPanels.h"
 
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 using namespace toile;

@@ -4,7 +4,7 @@
 #include "core/pattern/PatternMeasures.h"
 #include "tests/pattern/TwoPanels.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::pattern;

@@ -6,7 +6,7 @@
 #include "tests/pattern/ErrorsOf.h"
 #include "tests/pattern/TwoPanels.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 using namespace toile;

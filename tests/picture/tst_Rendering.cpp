@@ -2,7 +2,8 @@
 #include "core/picture/OffscreenGl.h"
 #include "core/picture/RenderPicture.h"
 
-#include <QtTest>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include <cmath>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/RenderPicture.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::picture;

@@ -2,7 +2,7 @@
 #include "core/picture/Cavity.h"
 #include "core/picture/SurfaceData.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QtTest> // first: moc 6.4 stumbles over <compare> as the first header
+#include <QTest> // first: moc 6.4 stumbles over <compare> as the first header
 
 #include "samples/Blouse.h"
 #include "samples/Measuring.h"

@@ -5,7 +5,7 @@
 #include "core/collision/BodySurface.h"
 #include "core/simulation/Arrange.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 
 using namespace toile;

@@ -3,7 +3,7 @@
 #include "core/simulation/CarryOver.h"
 #include "core/simulation/MeshInputOf.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::simulation;

@@ -2,7 +2,7 @@
 #include "SmallScenes.h"
 #include "tests/simulation/Sewn.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::simulation;

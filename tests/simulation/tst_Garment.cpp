@@ -5,7 +5,7 @@
 #include "core/simulation/Garment.h"
 #include "core/simulation/MeshInputOf.h"
 
-#include <QtTest>
+#include <QTest>
 #include <numeric>
 
 using namespace toile;

@@ -3,7 +3,7 @@
 #include "core/simulation/Simulation.h"
 #include "tests/dynamics/DenseSink.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 
 using namespace toile;

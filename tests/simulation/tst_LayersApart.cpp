@@ -5,7 +5,7 @@
 #include "core/simulation/Sew.h"
 #include "core/simulation/Topology.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 #include "SmallScenes.h"
 #include "core/simulation/Simulation.h"
 
-#include <QtTest>
+#include <QTest>
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>

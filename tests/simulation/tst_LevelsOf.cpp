@@ -4,7 +4,7 @@
 #include "core/simulation/LevelsOf.h"
 #include "core/simulation/Simulation.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 
 using namespace toile;

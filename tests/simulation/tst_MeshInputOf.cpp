@@ -2,7 +2,7 @@
 #include "SmallScenes.h"
 #include "core/simulation/MeshInputOf.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::simulation;

@@ -2,7 +2,7 @@
 #include "core/simulation/Openings.h"
 #include "core/simulation/Worn.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <numbers>
 

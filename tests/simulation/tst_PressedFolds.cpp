@@ -4,7 +4,7 @@
 #include "core/simulation/MeshInputOf.h"
 #include "tests/simulation/Sewn.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -8,7 +8,7 @@
 #include "tests/simulation/SmallScenes.h"
 
 #include <Eigen/SparseCholesky>
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 using namespace toile;

@@ -6,7 +6,7 @@
 #include "core/simulation/Clearing.h"
 #include "core/simulation/RollTubes.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::simulation;

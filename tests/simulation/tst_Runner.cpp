@@ -2,7 +2,7 @@
 #include "SmallScenes.h"
 #include "core/simulation/Runner.h"
 
-#include <QtTest>
+#include <QTest>
 #include <limits>
 #include <random>
 

@@ -3,7 +3,7 @@
 #include "core/simulation/SeamClosing.h"
 #include "core/simulation/Sew.h"
 
-#include <QtTest>
+#include <QTest>
 #include <array>
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #include "core/simulation/Garment.h"
 #include "core/simulation/MeshInputOf.h"
 
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 using namespace toile;

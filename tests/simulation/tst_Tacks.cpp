@@ -4,7 +4,7 @@
 #include "tests/dynamics/DenseSink.h"
 #include "tests/simulation/Sewn.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 
 using namespace toile;

@@ -3,7 +3,7 @@
 #include "core/simulation/Clearing.h"
 #include "core/simulation/TubePlacing.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <numbers>
 

@@ -3,7 +3,7 @@
 #include "core/simulation/Worn.h"
 #include "tests/simulation/Tubes.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <numbers>
 

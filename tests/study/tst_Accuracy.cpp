@@ -2,7 +2,7 @@
 #include "core/study/AccuracyRecords.h"
 #include "core/study/AccuracyReport.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 using namespace toile;

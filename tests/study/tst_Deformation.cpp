@@ -3,7 +3,7 @@
 #include "core/study/Deformation.h"
 #include "samples/SmallScenes.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 using namespace toile;

@@ -4,7 +4,7 @@
 #include "core/study/lean/Report.h"
 #include "core/study/validation/Pieces.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 
 using namespace toile;

@@ -4,7 +4,7 @@
 #include "samples/SmallScenes.h"
 #include "tests/simulation/Tubes.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <numbers>
 

@@ -2,7 +2,7 @@
 #include "core/study/RegionsReport.h"
 #include "samples/SmallScenes.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using study::RegionsStudy;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/Repetitions.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::study;

@@ -3,7 +3,7 @@
 #include "samples/CircleSkirt.h"
 #include "samples/SmallScenes.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 

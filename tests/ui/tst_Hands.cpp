@@ -2,7 +2,7 @@
 #include "WindowFixture.h"
 #include "ui/window/HandLink.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace toile;
 using namespace toile::ui;

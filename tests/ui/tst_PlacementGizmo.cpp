@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view3d/PlacementGizmo.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <numbers>
 

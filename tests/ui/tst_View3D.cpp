@@ -4,7 +4,7 @@
 #include "core/picture/OffscreenGl.h"
 #include "ui/view3d/GraphicsGate.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <set>
 

@@ -2,7 +2,7 @@
 #include "ui/view3d/View3D.h"
 
 #include <QLabel>
-#include <QtTest>
+#include <QTest>
 
 using namespace toile::ui;
 

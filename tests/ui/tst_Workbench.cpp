@@ -5,6 +5,7 @@
 #include "ui/panels/PropertySheet.h"
 #include "ui/workbench/Workbench.h"
 
+#include <QDir>
 #include <QSemaphore>
 #include <QSignalSpy>
 #include <QTemporaryDir>

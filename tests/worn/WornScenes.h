@@ -5,7 +5,7 @@
 #include "samples/Blouse.h"
 #include "tests/simulation/Sewn.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 
 namespace toile::simulation {
