@@ -56,7 +56,7 @@ private slots:
         constexpr int frames = 4; // the sheets meet in the third
         const Scene scene = fallingSheets(isKnit ? material::FabricKind::knit : material::FabricKind::woven);
         const std::vector<Vec3> alone = after(frames, scene, nullptr);
-        QVERIFY(alone.size() > 10000); // small cloth is not shared out
+        QVERIFY(alone.size() > 10000);                          // small cloth is not shared out
         QVERIFY(std::ranges::min(alone, {}, &Vec3::y).y < 0.5); // beyond the edge it falls
         for (const int members : {2, 3}) QVERIFY(after(frames, scene, std::make_shared<Team>(members)) == alone);
     }
