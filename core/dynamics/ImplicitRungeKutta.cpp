@@ -3,6 +3,7 @@
 
 #include "core/dynamics/Energy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -53,15 +54,40 @@ std::vector<Vec3> combined(const std::vector<Vec3>& start, double h, std::span<c
     return sum;
 }
 
-/// Together with what the stages hold now, as they stand in this step.
+/// Together with what the stages of the scene itself hold now, as they stand in this step.
 Energies energiesOf(const cloth::ClothModel& model, const ParticleState& state, const Vec3& gravity,
                     std::span<Stage* const> stages) {
     Energies now = energies(model, state, gravity);
     for (Stage* stage : stages) {
+        if (stage->isFromOutside()) continue;
         stage->beginIteration(state.positions);
         now.elastic += stage->energy(state.positions);
     }
     return now;
+}
+
+/// Of the stages that put energy in [N].
+std::vector<Vec3> forcesFromOutside(const ParticleState& state, double h, std::span<Stage* const> stages) {
+    std::vector<Vec3> forces;
+    for (Stage* stage : stages) {
+        if (!stage->isFromOutside()) continue;
+        forces.resize(state.positions.size());
+        stage->take({.velocities = state.velocities, .span = h});
+        stage->fixFriction(state.positions);
+        stage->addForces(state.positions, forces);
+    }
+    return forces;
+}
+
+/// What they put in at most, by their forces at the start and at the end of a step [J].
+double workBetween(const ParticleState& start, const std::vector<Vec3>& first, const ParticleState& end,
+                   const std::vector<Vec3>& last) {
+    double work = 0;
+    for (std::size_t p = 0; p < first.size(); ++p) {
+        const Vec3 way = end.positions[p] - start.positions[p];
+        work += std::max({0.0, dot(first[p], way), dot(last[p], way)});
+    }
+    return work;
 }
 
 } // namespace
@@ -78,7 +104,9 @@ Result<ImplicitRungeKutta::Step> ImplicitRungeKutta::once(const ButcherTableau& 
     std::vector<std::vector<Vec3>> velocities, accelerations; // slopes of the stages so far
     for (Stage* stage : stages) stage->beginStep(start, h);
     EnergyMonitor monitor;
+    std::vector<Vec3> outside;
     if (tableau.guarded) {
+        outside = forcesFromOutside(start, h, stages);
         for (Stage* stage : stages) stage->fixFriction(start.positions);
         monitor.observe(energiesOf(model(), start, gravity, stages));
     }
@@ -86,7 +114,7 @@ Result<ImplicitRungeKutta::Step> ImplicitRungeKutta::once(const ButcherTableau& 
         const auto& row = tableau.a[i];
         if (row[i] == 0) {
             accelerations.emplace_back();
-            accelerationsAt(state.positions, gravity, stages, accelerations.back());
+            accelerationsAt(state, h, gravity, stages, accelerations.back());
             for (std::size_t p = 0; p < state.positions.size(); ++p)
                 accelerations.back()[p] -= settings_.damping * state.velocities[p];
             velocities.push_back(state.velocities);
@@ -108,7 +136,10 @@ Result<ImplicitRungeKutta::Step> ImplicitRungeKutta::once(const ButcherTableau& 
     }
     eliminated().place(state.positions);
     eliminated().place(state.velocities);
-    if (tableau.guarded) step.gains = monitor.observe(energiesOf(model(), state, gravity, stages));
+    if (tableau.guarded) {
+        const double work = workBetween(start, outside, state, forcesFromOutside(state, h, stages));
+        step.gains = monitor.observe(energiesOf(model(), state, gravity, stages), work);
+    }
     if (tableau.difference != decltype(tableau.difference){})
         step.difference = combined(std::vector<Vec3>(start.positions.size()), h, tableau.difference, velocities);
     return step;

@@ -32,6 +32,7 @@ Result<void> ImplicitStage::solve(ParticleState& state, const Known& known, cons
                                   std::span<Stage* const> stages, std::stop_token stop, StepReport& report) {
     const std::vector<Vec3> target = targetOf(known);
     const MinimiserProblem problem{gravity, stages, inertiaOf(known.span), target};
+    for (Stage* stage : stages) stage->take({.from = known.position, .span = known.span});
     if (stages.empty()) {
         std::vector<Vec3> moved = known.position;
         for (std::size_t p = 0; p < moved.size(); ++p) moved[p] += known.span * state.velocities[p];
@@ -52,6 +53,7 @@ Result<void> ImplicitStage::solve(ParticleState& state, const Known& known, cons
 Result<void> ImplicitStage::solveLinearised(ParticleState& state, const Known& known, const Vec3& gravity,
                                             std::span<Stage* const> stages, StepReport& report) {
     const std::vector<Vec3> target = targetOf(known);
+    for (Stage* stage : stages) stage->take({.velocities = known.velocity, .from = known.position, .span = known.span});
     const auto newton = minimiser_.iterateOnce(state.positions, {gravity, stages, inertiaOf(known.span), target});
     if (!newton) return tl::unexpected(newton.error());
     takeVelocities(state, known);

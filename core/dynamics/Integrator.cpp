@@ -71,11 +71,13 @@ Result<StepReport> Integrator::step(ParticleState& state, double duration, const
     return report;
 }
 
-void Integrator::accelerationsAt(std::span<const Vec3> positions, const Vec3& gravity, std::span<Stage* const> stages,
-                                 std::vector<Vec3>& accelerations) {
+void Integrator::accelerationsAt(const ParticleState& state, double h, const Vec3& gravity,
+                                 std::span<Stage* const> stages, std::vector<Vec3>& accelerations) {
+    const std::span<const Vec3> positions = state.positions;
     forces_.assign(positions.size(), {});
     cloth::addForces(model_, positions, forces_);
     for (Stage* stage : stages) {
+        stage->take({.velocities = state.velocities, .span = h});
         stage->fixFriction(positions);
         stage->beginIteration(positions);
         stage->addForces(positions, forces_);

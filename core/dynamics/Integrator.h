@@ -56,8 +56,9 @@ protected:
     [[nodiscard]] virtual Result<StepReport> advance(ParticleState& state, double duration, const Vec3& gravity,
                                                      std::span<Stage* const> stages, std::stop_token stop) = 0;
 
-    /// M⁻¹(cloth + stages) + gravity of free particles, 0 for the others. Stages look at the positions first.
-    void accelerationsAt(std::span<const Vec3> positions, const Vec3& gravity, std::span<Stage* const> stages,
+    /// M⁻¹(cloth + stages) + gravity of free particles, 0 for the others. Stages look at the state first; h: for which
+    /// the accelerations are taken [s].
+    void accelerationsAt(const ParticleState& state, double h, const Vec3& gravity, std::span<Stage* const> stages,
                          std::vector<Vec3>& accelerations);
     [[nodiscard]] const cloth::ClothModel& model() const { return model_; }
     [[nodiscard]] const Eliminated& eliminated() const { return eliminated_; }

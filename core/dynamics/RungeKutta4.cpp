@@ -28,7 +28,7 @@ Result<StepReport> RungeKutta4::advance(ParticleState& state, double duration, c
                 at.velocities[p] = start.velocities[p] + (h * reach[i]) * slopes[p];
             }
             eliminated().place(at.positions);
-            accelerationsAt(at.positions, gravity, stages, accelerations_);
+            accelerationsAt(at, h, gravity, stages, accelerations_);
             for (std::size_t p = 0; p < count; ++p) {
                 velocities[p] = at.velocities[p];
                 slopes[p] = accelerations_[p] - settings_.damping * at.velocities[p];

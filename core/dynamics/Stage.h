@@ -29,6 +29,13 @@ struct Substep {
     Team* team = nullptr;                ///< to share work with; null = alone. Results are the same to the bit
 };
 
+/// How fast particles are, for forces that depend on it. Nothing given: they rest.
+struct Motion {
+    std::span<const Vec3> velocities; ///< of explicit methods; with from, those about which forces are linear [m/s]
+    std::span<const Vec3> from;       ///< of implicit methods: who is at x is as fast as (x − from)/span [m]
+    double span = 0;                  ///< of time, in which a force changes velocities [s]
+};
+
 /// Collects 3×3 blocks of ∂²E/∂x∂x. Blocks are row-major; (i, j) and (j, i) are both added by the caller.
 using cloth::HessianSink;
 
@@ -45,9 +52,14 @@ public:
 
     /// Once before the substeps of a frame step of the given duration [s]: broad phases, targets.
     virtual void beginStep(const ParticleState& state, double duration) = 0;
-    /// Once in every position-based substep, after the cloth's own sweep.
+    /// Once in every position-based substep, after the cloth's own sweep; before it if the stage is from outside.
     virtual void project(Substep& substep) = 0;
 
+    /// What its forces are measured by from now on, until the next call; what is spanned is there as long as forces are
+    /// asked for.
+    virtual void take(const Motion& motion) { static_cast<void>(motion); }
+    /// Whether its forces may put energy in, so that none that it gives stands for them over a step.
+    [[nodiscard]] virtual bool isFromOutside() const { return false; }
     /// Before the first Newton iteration, and again whenever the forces nearly balance: takes the normal forces that
     /// friction rests on. Between two calls the energy is one function of the positions.
     virtual void fixFriction(std::span<const Vec3> positions) { static_cast<void>(positions); }

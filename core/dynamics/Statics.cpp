@@ -9,6 +9,7 @@ Result<StaticReport> solveStatic(const cloth::ClothModel& model, ParticleState& 
                                  std::span<Stage* const> stages, const StaticSettings& settings, std::stop_token stop,
                                  const Progress& progress) {
     const std::vector<Vec3> start = state.positions;
+    for (Stage* stage : stages) stage->take({});
     auto newton = Minimiser(model, settings).minimise(state.positions, {gravity, stages}, stop, progress);
     if (!newton) {
         state.positions = start;

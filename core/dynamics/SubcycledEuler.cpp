@@ -104,7 +104,9 @@ void SubcycledEuler::push(const Level& level, ParticleState& state, double h) {
 void SubcycledEuler::pushByStages(ParticleState& state, std::span<Stage* const> stages, double h) {
     eliminated().place(state.positions);
     stageForces_.assign(state.positions.size(), {});
+    eliminated().place(state.velocities);
     for (Stage* stage : stages) {
+        stage->take({.velocities = state.velocities, .span = h});
         stage->fixFriction(state.positions);
         stage->beginIteration(state.positions);
         stage->addForces(state.positions, stageForces_);

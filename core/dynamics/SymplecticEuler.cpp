@@ -22,7 +22,7 @@ Result<StepReport> SymplecticEuler::advance(ParticleState& state, double duratio
     const double h = duration / *parts;
     for (int part = 0; part < *parts; ++part) {
         if (stop.stop_requested()) return fail(ErrorCode::cancelled, "The step was stopped.");
-        accelerationsAt(state.positions, gravity, stages, accelerations_);
+        accelerationsAt(state, h, gravity, stages, accelerations_);
         for (const int p : eliminated().free()) {
             Vec3& v = state.velocities[p];
             v += h * (accelerations_[p] - settings_.damping * v);

@@ -25,7 +25,7 @@ struct Xpbd::Data {
 
     void compileFor(double h);
     void predict(ParticleState& state, double h, const Vec3& gravity);
-    void runStages(ParticleState& state, double h, double time, std::span<Stage* const> stages);
+    void runStages(ParticleState& state, double h, double time, std::span<Stage* const> stages, bool fromOutside);
     void handSlavesToMasters(std::span<Vec3> positions) const;
     void updateVelocities(ParticleState& state, double h) const;
 
@@ -64,10 +64,11 @@ Result<void> Xpbd::step(ParticleState& state, double duration, int substeps, con
             return fail(ErrorCode::cancelled, "The step was stopped.");
         }
         d.predict(state, h, gravity);
+        d.runStages(state, h, start.time + s * h, stages, true);
         d.sweep->apply(state.positions, d.team);
         if (d.levels) d.levels->correct(state.positions, d.team);
         d.eliminated.place(state.positions);
-        if (!stages.empty()) d.runStages(state, h, start.time + s * h, stages);
+        d.runStages(state, h, start.time + s * h, stages, false);
         d.updateVelocities(state, h);
     }
     state.time = start.time + duration;
@@ -105,9 +106,12 @@ void Xpbd::Data::predict(ParticleState& state, double h, const Vec3& gravity) {
     eliminated.place(state.positions);
 }
 
-void Xpbd::Data::runStages(ParticleState& state, double h, double time, std::span<Stage* const> stages) {
+/// Those from outside act with gravity, before the sweep: what answers them is then the cloth's true stiffness.
+void Xpbd::Data::runStages(ParticleState& state, double h, double time, std::span<Stage* const> stages,
+                           bool fromOutside) {
     Substep substep{state.positions, previous, inverseMass, h, time, team};
     for (Stage* stage : stages) {
+        if (stage->isFromOutside() != fromOutside) continue;
         slavesBefore.clear();
         for (int s : eliminated.slaves()) slavesBefore.push_back(state.positions[model.slaves[s].particle]);
         stage->project(substep);

@@ -22,6 +22,8 @@ public:
     void project(dynamics::Substep& substep) override {
         timed([&] { stage_->project(substep); });
     }
+    void take(const dynamics::Motion& motion) override { stage_->take(motion); }
+    [[nodiscard]] bool isFromOutside() const override { return stage_->isFromOutside(); }
     void fixFriction(std::span<const Vec3> positions) override {
         timed([&] { stage_->fixFriction(positions); });
     }
