@@ -31,7 +31,10 @@ Json pieceJson(const pattern::Pattern& pattern, const pattern::Piece& authored) 
     json.set("fabric", piece.fabric.value);
     json.set("interfacingBending", fused ? Json(fused->bendingFactor) : Json());
     json.set("interfacingDensity", fused ? Json(fused->arealDensity) : Json());
-    json.set("layer", piece.layer).set("spacing", piece.spacing).set("area", pattern::areaOf(piece));
+    json.set("layer", piece.layer)
+        .set("pressure", piece.pressure)
+        .set("spacing", piece.spacing)
+        .set("area", pattern::areaOf(piece));
     json.set("width", box.high.x - box.low.x).set("height", box.high.y - box.low.y);
     json.set("edges", piece.outline.edges.size()).set("holes", piece.holes.size()).set("regions", piece.regions.size());
     json.set("folds", piece.folds.size());

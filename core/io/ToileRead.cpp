@@ -182,6 +182,7 @@ Shared<Piece> pieceOf(JsonNode& node) {
     piece.fabric = FabricId(node["fabric"].text());
     if (const JsonNode fused = node["interfacing"]; fused.exists()) piece.interfacing = interfacingOf(fused);
     piece.layer = node["layer"].integer(0, -1'000'000, 1'000'000);
+    piece.pressure = node["pressure"].number(piece.pressure);
     piece.spacing = lengthOf(node["spacing"], piece.spacing);
     piece.grain = angleOf(node["grainDegrees"]);
     piece.seamAllowance = lengthOf(node["seamAllowance"], piece.seamAllowance);
@@ -270,10 +271,18 @@ Tack tackOf(JsonNode& node) {
     return tack;
 }
 
+simulation::Air airOf(JsonNode node) {
+    simulation::Air air;
+    if (const auto w = node["wind"].items(3); !w.empty()) air.wind = {w[0].number(), w[1].number(), w[2].number()};
+    air.drag = node["drag"].number(air.drag);
+    return air;
+}
+
 simulation::SceneSettings sceneOf(JsonNode& node) {
     simulation::SceneSettings scene;
     if (const auto g = node["gravity"].items(3); !g.empty())
         scene.gravity = {g[0].number(), g[1].number(), g[2].number()};
+    if (const JsonNode air = node["air"]; air.exists()) scene.air = airOf(air);
     scene.damping = node["damping"].number(scene.damping);
     scene.skinOffset = lengthOf(node["skinOffset"], scene.skinOffset);
     scene.bodyFriction = node["bodyFriction"].number(scene.bodyFriction);

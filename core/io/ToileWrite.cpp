@@ -159,6 +159,7 @@ Json pieceJson(const Shared<Piece>& shared) {
     json.set("id", piece.id.value).set("name", piece.name).set("fabric", piece.fabric.value);
     if (piece.interfacing) json.set("interfacing", interfacingJson(*piece.interfacing));
     if (piece.layer != 0) json.set("layer", piece.layer);
+    if (piece.pressure != 0) json.set("pressure", piece.pressure);
     json.set("spacing", millimetres(piece.spacing));
     json.set("grainDegrees", degrees(piece.grain)).set("seamAllowance", millimetres(piece.seamAllowance));
     json.set("rule", nameIn(lineRuleNames, piece.rule)).set("regionBorder", nameIn(regionBorderNames, piece.border));
@@ -248,6 +249,12 @@ Json tackJson(const Tack& tack) {
 Json sceneJson(const simulation::SceneSettings& scene, const Json& unknown) {
     Json json;
     json.set("gravity", Json(Json::Array{scene.gravity.x, scene.gravity.y, scene.gravity.z}));
+    if (scene.air) {
+        const Vec3& wind = scene.air->wind;
+        Json air;
+        air.set("wind", Json(Json::Array{wind.x, wind.y, wind.z})).set("drag", scene.air->drag);
+        json.set("air", std::move(air));
+    }
     json.set("damping", scene.damping).set("skinOffset", millimetres(scene.skinOffset));
     json.set("bodyFriction", scene.bodyFriction).set("seamTime", scene.seamTime);
     json.set("frameStep", scene.frameStep).set("substeps", scene.substeps).set("selfContact", scene.selfContact);

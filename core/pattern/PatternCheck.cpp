@@ -55,6 +55,9 @@ void checkNumbers(const Pattern& pattern, const Piece& piece, Problems& problems
         problems.error("seamAllowance", "A seam allowance cannot be negative.");
     if (piece.layer < 0 || piece.layer > outermostLayer)
         problems.error("layer", fmt::format("The layer is {}, but must be from 0 to {}.", piece.layer, outermostLayer));
+    if (!(std::abs(piece.pressure) <= mostPressure))
+        problems.error("pressure", fmt::format("The pressure is {} Pa, but must be from {} to {} Pa.", piece.pressure,
+                                               -mostPressure, mostPressure));
     if (!std::isfinite(piece.grain)) problems.error("grainDegrees", "The grain needs a finite angle.");
     if (!geometry::isFinite(piece.tablePosition))
         problems.error("tablePosition", "A position must have finite coordinates.");

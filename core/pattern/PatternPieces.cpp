@@ -177,6 +177,17 @@ Result<Pattern> setLayer(const Pattern& pattern, const PieceId& piece, int layer
     });
 }
 
+Result<Pattern> setPressure(const Pattern& pattern, const PieceId& piece, double pressure) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        if (!(std::abs(pressure) <= mostPressure))
+            return fail(ErrorCode::invalidInput,
+                        fmt::format("A pressure is a number from {} to {} Pa.", -mostPressure, mostPressure),
+                        placeOf(p));
+        p.pressure = pressure;
+        return {};
+    });
+}
+
 Result<Pattern> setLineRule(const Pattern& pattern, const PieceId& piece, LineRule rule) {
     return changed(pattern, piece, [&](Piece& p) -> Result<void> {
         p.rule = rule;

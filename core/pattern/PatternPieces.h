@@ -9,6 +9,7 @@ namespace toile::pattern {
 // Edits of whole pieces. All are pure.
 
 constexpr int outermostLayer = 100;
+constexpr double mostPressure = 10'000; ///< [Pa]
 
 /// Adds a piece that has its id (IdSource, contourThrough). Error when the id is taken or the outline is empty.
 [[nodiscard]] Result<Pattern> addPiece(const Pattern& pattern, Piece piece);
@@ -32,6 +33,8 @@ constexpr int outermostLayer = 100;
 [[nodiscard]] Result<Pattern> setSeamAllowance(const Pattern& pattern, const PieceId& piece, double allowance);
 /// Where pieces overlap, the higher layer lies outside; 0 to 100.
 [[nodiscard]] Result<Pattern> setLayer(const Pattern& pattern, const PieceId& piece, int layer);
+/// Of the air behind the piece, towards its right side; −10 000 to 10 000 Pa.
+[[nodiscard]] Result<Pattern> setPressure(const Pattern& pattern, const PieceId& piece, double pressure);
 [[nodiscard]] Result<Pattern> setLineRule(const Pattern& pattern, const PieceId& piece, LineRule rule);
 [[nodiscard]] Result<Pattern> setRegionBorder(const Pattern& pattern, const PieceId& piece, RegionBorder border);
 

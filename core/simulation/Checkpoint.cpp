@@ -59,7 +59,13 @@ std::string fingerprintOf(const Scene& scene, const Garment& garment) {
         for (const pattern::ClothPoint& end : tack.ends) numbers.add(end.point.x, end.point.y);
         numbers.add(tack.order);
     }
+    for (std::size_t i = 0; i < scene.pattern.pieces.size(); ++i)
+        if (const double p = scene.pattern.pieces[i]->pressure; p != 0) numbers.add(i, p);
     const SceneSettings& s = scene.settings;
+    if (s.air) {
+        numbers.add(s.air->wind);
+        numbers.add(s.air->drag);
+    }
     numbers.add(s.gravity);
     numbers.add(s.damping, s.skinOffset, s.bodyFriction, s.seamTime, s.frameStep, s.substeps, s.selfContact,
                 scene.paper);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/PlanOf.h"
 
+#include "core/simulation/AirOf.h"
 #include "core/simulation/BodyContactOf.h"
 #include "core/simulation/SeamMeeting.h"
 #include "core/simulation/SelfContactOf.h"
@@ -13,6 +14,8 @@ namespace {
 /// The paper's sewing force. It grows, so that pieces neither fling through the body nor are torn out; in the end it is
 /// what position-based sewing may pull with.
 constexpr SeamClosingSettings paperSewing{.maximumForce = 5, .stiffness = 2000, .forceRamp = 1.5};
+
+constexpr const char* whileSewing = "as gravity it waits until the garment is sewn";
 
 /// Parts of the cloth that this garment has no use for.
 void leaveOutElements(StepPlan& plan, const Garment& garment) {
@@ -38,10 +41,24 @@ void leaveOutElements(StepPlan& plan, const Garment& garment) {
 StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
                 std::vector<SeamPair> pairs, std::span<const TackState> tacks,
                 std::shared_ptr<const std::vector<Grip>> grips, std::span<const Vec3> positions,
-                std::span<const std::string> forced) {
+                std::span<const std::string> forced, Phase phase) {
+    const bool isSewing = phase == Phase::sewing;
     const auto isForced = [&](std::string_view stage) { return std::ranges::find(forced, stage) != forced.end(); };
     StepPlan plan;
     leaveOutElements(plan, garment);
+
+    if (isForced("wind")) plan.add(windOn(scene, garment, scene.settings.air.value_or(Air{.drag = 0})));
+    else if (!scene.settings.air) plan.leaveOut("wind", "the scene has no air");
+    else if (scene.paper) plan.leaveOut("wind", "the paper knows gravity alone");
+    else if (isSewing) plan.leaveOut("wind", whileSewing);
+    else if (scene.settings.air->drag == 0) plan.leaveOut("wind", "its air does not drag");
+    else plan.add(windOn(scene, garment, *scene.settings.air));
+
+    if (isForced("pressure")) plan.add(pressureBehind(scene, garment, positions));
+    else if (!hasPressure(scene.pattern)) plan.leaveOut("pressure", "no piece has any");
+    else if (scene.paper) plan.leaveOut("pressure", "the paper knows gravity alone");
+    else if (isSewing) plan.leaveOut("pressure", whileSewing);
+    else plan.add(pressureBehind(scene, garment, positions));
 
     const SeamClosingSettings closing =
         scene.paper ? paperSewing : SeamClosingSettings{.duration = scene.settings.seamTime};

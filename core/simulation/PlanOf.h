@@ -4,6 +4,7 @@
 #include "core/collision/BodySurface.h"
 #include "core/simulation/Garment.h"
 #include "core/simulation/Grips.h"
+#include "core/simulation/Phase.h"
 #include "core/simulation/Scene.h"
 #include "core/simulation/SeamClosing.h"
 #include "core/simulation/StepPlan.h"
@@ -13,11 +14,11 @@ namespace toile::simulation {
 
 /// What one step of this scene does: read from top to bottom. body may be null; pairs are those of seams being
 /// closed; tacks those of the pattern; grips what hands hold; positions those of the particles now [m]. Stages that are
-/// forced are built although the scene has no use for them: "seams", "tacks", "hands", "seams that meet",
-/// "self-contact".
+/// forced are built although the scene has no use for them: "wind", "pressure", "seams", "tacks", "hands", "seams that
+/// meet", "self-contact".
 [[nodiscard]] StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
                               std::vector<SeamPair> pairs, std::span<const TackState> tacks,
                               std::shared_ptr<const std::vector<Grip>> grips, std::span<const Vec3> positions,
-                              std::span<const std::string> forced = {});
+                              std::span<const std::string> forced, Phase phase);
 
 } // namespace toile::simulation

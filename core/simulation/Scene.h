@@ -9,6 +9,13 @@
 
 namespace toile::simulation {
 
+/// Air that drags at the cloth.
+struct Air {
+    Vec3 wind;         ///< its velocity; zero = still air, in which falling cloth sails [m/s]
+    double drag = 1.2; ///< coefficient of cloth across the stream (docs/physics/air.md) [–]
+    friend bool operator==(const Air&, const Air&) = default;
+};
+
 /// The world the garment lives in, and how carefully it is simulated.
 struct SceneSettings {
     Vec3 gravity{0, -9.81, 0};   ///< [m/s²]
@@ -19,6 +26,7 @@ struct SceneSettings {
     double frameStep = 1.0 / 60; ///< [s]
     int substeps = 0;            ///< of a frame step; 0 = from the mesh (docs/physics/xpbd.md)
     bool selfContact = false;
+    std::optional<Air> air; ///< absent = none
     friend bool operator==(const SceneSettings&, const SceneSettings&) = default;
 };
 

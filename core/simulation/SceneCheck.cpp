@@ -9,7 +9,9 @@ namespace toile::simulation {
 namespace {
 
 constexpr double longestFrameStep = 1; // as long as integrators go at once [s]
+constexpr double mostDrag = 10;        // [–]
 constexpr int mostSubsteps = 100'000;
+constexpr double strongestWind = 100; // [m/s]
 
 } // namespace
 
@@ -29,6 +31,13 @@ std::vector<pattern::Problem> checkScene(const SceneSettings& scene) {
         problems.push_back({{.path = path}, std::move(text), true});
     };
     if (!geometry::isFinite(scene.gravity)) add("scene.gravity", "Gravity must have three finite numbers.");
+    if (scene.air) {
+        const Air& air = *scene.air;
+        if (!geometry::isFinite(air.wind) || length(air.wind) > strongestWind)
+            add("scene.air.wind", fmt::format("Wind must have three numbers, and at most {} m/s.", strongestWind));
+        if (!(air.drag >= 0 && air.drag <= mostDrag))
+            add("scene.air.drag", fmt::format("Expected between 0 and {}, but found {}.", mostDrag, air.drag));
+    }
     for (const Field& f : fields)
         if (!std::isfinite(f.value) || f.value < 0 || (f.value == 0 && !f.zeroAllowed))
             add(f.path,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Simulation.h"
 
+#include "core/simulation/AirOf.h"
 #include "core/simulation/CarryOver.h"
 #include "core/simulation/LayersApart.h"
 #include "core/simulation/LevelsOf.h"
@@ -128,7 +129,7 @@ void Simulation::rebuildPlan() {
     addCosts(formerCosts_, plan_.costs());
     Scene now = scene_;
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
-    plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), tacks_, grips_, state_.positions, forced_);
+    plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), tacks_, grips_, state_.positions, forced_, phase_);
     plannedDamping_ = damping();
     if (scene_.paper) {
         integrator_ = integratorOf(dynamics::Method::subcycledEuler);
@@ -151,7 +152,7 @@ void Simulation::planSubsteps() {
     substeps_ = scene_.settings.substeps > 0
                     ? scene_.settings.substeps
                     : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
-                                            length(scene_.settings.gravity));
+                                            loadOf(scene_));
     const int levels = coarseLevelsFor(substeps_);
     plannedLevels_ = levelsMayHelp();
     if (sewing) plan_.leaveOut("coarse levels", "cloth that yields sews well");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/AirOf.h"
 #include "core/simulation/LevelsOf.h"
 #include "core/simulation/Simulation.h"
 
@@ -17,8 +18,8 @@ constexpr double tautDamping = 10;
 /// tenth of the time where the mesh is fine. The clock stands still.
 Result<void> Simulation::drawTaut(std::stop_token stop) {
     const double time = state_.time, duration = scene_.settings.frameStep;
-    const int substeps = dynamics::substepsFor(duration, dynamics::springsOnLongestLine(garment_->model),
-                                               length(scene_.settings.gravity));
+    const int substeps =
+        dynamics::substepsFor(duration, dynamics::springsOnLongestLine(garment_->model), loadOf(scene_));
     if (drapingMethod_ != dynamics::Method::xpbd || scene_.paper || coarseLevelsFor(substeps) == 0) return {};
     dynamics::Xpbd xpbd(garment_->model, {.damping = tautDamping, .speedLimit = 10});
     xpbd.workWith(teamWorthWaking());

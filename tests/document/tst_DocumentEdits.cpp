@@ -75,6 +75,11 @@ void tst_DocumentEdits::aSceneThatCannotRunIsRefused() {
     QVERIFY(!withScene(sample(), {.frameStep = 0}));
     QVERIFY(!withScene(sample(), {.damping = -1}));
     QVERIFY(!withScene(sample(), {.gravity = {0, std::nan(""), 0}}));
+    QVERIFY(withScene(sample(), {.air = simulation::Air{.wind = {3, 0, 0}}}));
+    QCOMPARE(withScene(sample(), {.air = simulation::Air{.wind = {300, 0, 0}}}).error().place.path,
+             std::string("scene.air.wind"));
+    QCOMPARE(withScene(sample(), {.air = simulation::Air{.drag = -1}}).error().place.path,
+             std::string("scene.air.drag"));
     QCOMPARE(withScene(sample(), {.seamTime = -1}).error().place.path, std::string("scene.seamTime"));
 }
 

@@ -16,6 +16,7 @@ inline document::Document everyField() {
     front.fabric = FabricId("poplin");
     front.interfacing = Interfacing{8, 0.03};
     front.layer = 1;
+    front.pressure = 12.5;
     front.spacing = 0.015;
     front.grain = std::numbers::pi / 6;
     front.seamAllowance = 0.012;
@@ -97,7 +98,7 @@ inline document::Document everyField() {
     document::Document document;
     document.pattern = {{front, mirror}, {seam}, {poplin}, {{PinId("n1"), PieceId("front"), VertexId("v3")}}, {button}};
     document.avatarFile = "bodies/woman.glb";
-    document.scene = {{0, -9.8, 0.1}, 0.7, 0.004, 0.25, 0.8, 1.0 / 50, 7, true};
+    document.scene = {{0, -9.8, 0.1}, 0.7, 0.004, 0.25, 0.8, 1.0 / 50, 7, true, simulation::Air{{1.5, 0, -2}, 1.1}};
     document.nextId = 42;
     return document;
 }

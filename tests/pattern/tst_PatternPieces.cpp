@@ -102,6 +102,8 @@ void tst_PatternPieces::valuesWithoutSenseAreRefused() {
     QVERIFY(!setGrain(p, image, 0.5)); // comes from the source
     QVERIFY(!setSpacing(p, PieceId("nobody"), 0.02));
     QCOMPARE(setSpacing(p, front, 0.01)->pieces[0]->spacing, 0.01);
+    QVERIFY(!setPressure(p, front, 1e6) && !setPressure(p, front, -1e6) && !setPressure(p, front, std::nan("")));
+    QCOMPARE(setPressure(p, front, -20)->pieces[0]->pressure, -20.0);
 }
 
 void tst_PatternPieces::aVertexIsPinnedOnce() {

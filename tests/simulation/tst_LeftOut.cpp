@@ -68,6 +68,13 @@ Heap heldBy(const Scene& scene) {
     return {liveBlocks - before.blocks, liveBytes - before.bytes};
 }
 
+Scene withPressure(Scene scene) {
+    pattern::Piece piece = *scene.pattern.pieces[0];
+    piece.pressure = 1;
+    scene.pattern.pieces[0] = piece;
+    return scene;
+}
+
 StepPlan::StageCost only(const Scene& scene) {
     const auto simulation = Simulation::create(scene);
     const auto costs = simulation->plan().costs();
@@ -97,7 +104,8 @@ void tst_LeftOut::aLonePieceHasNoStageAndNoByteOfOne() {
 
 void tst_LeftOut::whatIsAddedBringsItsOneStage_data() {
     QTest::addColumn<QString>("stage");
-    for (const char* stage : {"seams", "body contact", "self-contact"}) QTest::newRow(stage) << stage;
+    for (const char* stage : {"seams", "body contact", "self-contact", "wind", "pressure"})
+        QTest::newRow(stage) << stage;
 }
 
 void tst_LeftOut::whatIsAddedBringsItsOneStage() {
@@ -111,6 +119,8 @@ void tst_LeftOut::whatIsAddedBringsItsOneStage() {
     if (stage == "seams") with = twoSquares(0.05);
     if (stage == "body contact") with.body = Shared<body::Body>(box());
     if (stage == "self-contact") with.settings.selfContact = true;
+    if (stage == "wind") with.settings.air = Air{};
+    if (stage == "pressure") with = withPressure(with);
 
     const StepPlan::StageCost cost = only(with);
     QCOMPARE(QString::fromStdString(cost.name), stage);

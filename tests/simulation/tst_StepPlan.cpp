@@ -16,6 +16,9 @@ private slots:
     void aSeamBringsExactlyItsStage();
     void aBodyBringsExactlyItsStage();
     void selfContactBringsExactlyItsStage();
+    void airBringsExactlyItsStage();
+    void pressureBringsExactlyItsStage();
+    void airAndPressureWaitUntilTheGarmentIsSewn();
     void clothTooSmallToReachItselfHasNoSelfContact();
     void contactComesAfterTheSeamsAndSelfContactLast();
     void aSeamClosesThoughItsSidesAreNearEachOther();
@@ -87,6 +90,46 @@ void tst_StepPlan::selfContactBringsExactlyItsStage() {
     const auto without = Simulation::create(scene);
     QVERIFY(without && without->plan().stages().empty());
     QCOMPARE(reasonFor(*without, "self-contact"), std::string("the scene does not ask for it"));
+}
+
+void tst_StepPlan::airBringsExactlyItsStage() {
+    Scene scene = lonePiece();
+    QCOMPARE(reasonFor(*Simulation::create(scene), "wind"), std::string("the scene has no air"));
+    scene.settings.air = Air{};
+    QCOMPARE(namesOf(*Simulation::create(scene)), std::vector<std::string>{"wind"});
+    scene.settings.air->drag = 0;
+    QVERIFY(namesOf(*Simulation::create(scene)).empty());
+    QCOMPARE(reasonFor(*Simulation::create(scene), "wind"), std::string("its air does not drag"));
+    scene.settings.air = Air{};
+    scene.paper = true;
+    QCOMPARE(reasonFor(*Simulation::create(scene), "wind"), std::string("the paper knows gravity alone"));
+}
+
+void tst_StepPlan::pressureBringsExactlyItsStage() {
+    Scene scene = lonePiece();
+    QCOMPARE(reasonFor(*Simulation::create(scene), "pressure"), std::string("no piece has any"));
+    const int substeps = Simulation::create(scene)->substeps();
+    pattern::Piece piece = *scene.pattern.pieces[0];
+    piece.pressure = 50;
+    scene.pattern.pieces[0] = piece;
+    const auto simulation = Simulation::create(scene);
+    QCOMPARE(namesOf(*simulation), std::vector<std::string>{"pressure"});
+    QVERIFY(simulation->substeps() > 2 * substeps); // it loads cloth by more than 30 times its weight
+}
+
+void tst_StepPlan::airAndPressureWaitUntilTheGarmentIsSewn() {
+    Scene scene = twoSquares(0.05);
+    scene.settings.air = Air{};
+    for (auto& shared : scene.pattern.pieces) {
+        pattern::Piece piece = *shared;
+        piece.pressure = 1;
+        shared = piece;
+    }
+    auto simulation = Simulation::create(scene);
+    QCOMPARE(namesOf(*simulation), std::vector<std::string>{"seams"});
+    QCOMPARE(reasonFor(*simulation, "wind"), std::string("as gravity it waits until the garment is sewn"));
+    while (simulation->phase() == Phase::sewing && simulation->state().time < 3) QVERIFY(simulation->advance());
+    QCOMPARE(namesOf(*simulation), (std::vector<std::string>{"wind", "pressure"}));
 }
 
 void tst_StepPlan::clothTooSmallToReachItselfHasNoSelfContact() {

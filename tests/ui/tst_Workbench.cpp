@@ -338,6 +338,9 @@ void tst_Workbench::everyNumberOfASheetSetsWhatItShows() {
                  *document::edited(bench.document(), [&](const pattern::Pattern& p, pattern::IdSource&) {
                      return setInterfacing(p, front, pattern::Interfacing{});
                  })});
+    simulation::SceneSettings windy = bench.document().scene;
+    windy.air = simulation::Air{.wind = {1, 0, 2}};
+    bench.apply({QStringLiteral("Air"), *document::withScene(bench.document(), windy)});
     const Selection things{front, bench.document().pattern.fabrics[0]->id, SceneItem{}};
     int numbers = 0;
     for (const Item& thing : things) {
@@ -356,7 +359,7 @@ void tst_Workbench::everyNumberOfASheetSetsWhatItShows() {
             ++numbers;
         }
     }
-    QVERIFY(numbers > 15);
+    QVERIFY(numbers > 20);
 }
 
 void tst_Workbench::theSheetOfAPieceProposesItsSpacing() {

@@ -189,6 +189,10 @@ PropertySheet pieceSheet(const Document& document, const Piece& piece, const mes
                                                 return setLayer(p, id, static_cast<int>(std::lround(layer)));
                                             })},
                           tr("Where pieces overlap, the higher layer lies outside.")});
+    sheet.rows.push_back(
+        {QStringLiteral("pressure"), tr("Pressure"),
+         NumberRow{Quantity::pressure, piece.pressure, -mostPressure, mostPressure, 1, setting(piece.id, setPressure)},
+         tr("Of air behind the piece: above 0 it blows the cloth out to its right side.")});
     sheet.rows.push_back({QStringLiteral("spacing"), tr("Particle distance"),
                           NumberRow{Quantity::length, piece.spacing, 0.001, 0.2, 1, setting(piece.id, setSpacing)},
                           tr("ε_m, the spacing of the main region: smaller is finer and slower.")});

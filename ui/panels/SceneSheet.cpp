@@ -22,6 +22,34 @@ auto setting(auto change) {
     };
 }
 
+/// Whether there is air, and if so what it does.
+void addAirRows(PropertySheet& sheet, const std::optional<simulation::Air>& air) {
+    constexpr double strongest = 50, mostDrag = 10; // [m/s], [–]
+    sheet.rows.push_back({QStringLiteral("air"), tr("Air"),
+                          FlagRow{air.has_value(), setting([](SceneSettings& s, bool on) {
+                                      s.air = on ? std::optional(simulation::Air{}) : std::nullopt;
+                                  })},
+                          tr("It drags at cloth that moves, and wind blows it.")});
+    if (!air) return;
+    const auto wind = [&](const char* name, const QString& label, double Vec3::*along, const QString& tip) {
+        sheet.rows.push_back({QString::fromLatin1(name), label,
+                              NumberRow{Quantity::wind, air->wind.*along, -strongest, strongest, 0.5,
+                                        setting([along](SceneSettings& s, double speed) {
+                                            if (s.air) s.air->wind.*along = speed;
+                                        })},
+                              tip});
+    };
+    wind("windX", tr("Wind along x"), &Vec3::x, tr("Towards the avatar's left."));
+    wind("windY", tr("Wind along y"), &Vec3::y, tr("Upward."));
+    wind("windZ", tr("Wind along z"), &Vec3::z, tr("Towards where the avatar looks."));
+    sheet.rows.push_back(
+        {QStringLiteral("drag"), tr("Drag coefficient"),
+         NumberRow{Quantity::factor, air->drag, 0, mostDrag, 0.1, setting([](SceneSettings& s, double drag) {
+                       if (s.air) s.air->drag = drag;
+                   })},
+         tr("Of cloth across the stream; a flat plate has 1.2.")});
+}
+
 } // namespace
 
 PropertySheet sceneSheet(const Document& document) {
@@ -42,6 +70,7 @@ PropertySheet sceneSheet(const Document& document) {
                                         s.gravity = {0, -value, 0};
                                     })},
                           tr("Downward.")});
+    addAirRows(sheet, scene.air);
     number("damping", tr("Damping"), Quantity::damping, &SceneSettings::damping, 0, 100, 0.1,
            tr("Mass-proportional: how soon the cloth comes to rest."));
     number("skinOffset", tr("Skin offset"), Quantity::length, &SceneSettings::skinOffset, 0, 0.05, 0.5,

@@ -18,6 +18,8 @@ enum class Quantity {
     damping,      ///< 1/s
     time,         ///< s
     speed,        ///< m/s, shown in mm/s
+    wind,         ///< m/s
+    pressure,     ///< Pa
     factor,       ///< a plain number
     count,        ///< a whole number
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/Shapes.h"
+#include "core/study/EachPiece.h"
 #include "core/study/lean/FeatureChapters.h"
 #include "core/study/lean/FeatureScenes.h"
 
@@ -99,11 +100,37 @@ Feature hands(double spacing) {
              {Role::inUse, "one hand", sheet, 0, {}, grips}}};
 }
 
+Scene inAir(Scene scene, const simulation::Air& air) {
+    scene.settings.air = air;
+    return scene;
+}
+
+Feature wind(double spacing) {
+    const Scene sheet = heldSheet(spacing);
+    return {"wind",
+            "wind",
+            {{Role::absent, "no air", sheet},
+             {Role::unused, "air that does not drag", inAir(sheet, {.wind = {1, 0, 2}, .drag = 0}), 0},
+             {Role::forced, "no air, built all the same", sheet, 0, {"wind"}},
+             {Role::inUse, "wind", inAir(sheet, {.wind = {1, 0, 2}}), 0}}};
+}
+
+Feature pressure(double spacing) {
+    const Scene sheet = heldSheet(spacing);
+    Scene blown = sheet;
+    blown.pattern = eachPiece(sheet.pattern, [](pattern::Piece& piece) { piece.pressure = 2; });
+    return {"pressure",
+            "pressure",
+            {{Role::absent, "no piece with pressure", sheet},
+             {Role::forced, "none, built all the same", sheet, 0, {"pressure"}},
+             {Role::inUse, "2 Pa behind the sheet", blown, 0}}};
+}
+
 } // namespace
 
 std::vector<Feature> stageFeatures(double spacing) {
-    return {seams(spacing),       tacks(spacing),         hands(spacing),
-            bodyContact(spacing), seamsThatMeet(spacing), selfContact(spacing)};
+    return {wind(spacing),  pressure(spacing),    seams(spacing),         tacks(spacing),
+            hands(spacing), bodyContact(spacing), seamsThatMeet(spacing), selfContact(spacing)};
 }
 
 } // namespace toile::study::lean
