@@ -7,7 +7,7 @@ namespace toile::dynamics {
 
 struct WindSettings {
     Vec3 velocity;            ///< of the air, far from the cloth; zero = still air [m/s]
-    double coefficient = 1.2; ///< c of a plate across the stream; square plates have 1.17 (Hoerner 1965, ch. 3) [–]
+    double coefficient = 1.2; ///< c of a plate across the stream; square plates have 1.17 (docs/physics/air.md) [–]
     double density = 1.2;     ///< ρ of air at 20 °C [kg/m³]
 };
 
