@@ -159,7 +159,7 @@ void tst_StudyCommand::partsOfAStepAreRunByTheirNames() {
 
     const Finished none = run({"study", "lean", "gloves", "--out", out});
     QCOMPARE(none.status, 1);
-    QVERIFY(none.err.contains("\"gloves\" is neither a document nor a feature; there are seams, "));
+    QVERIFY(none.err.contains("\"gloves\" is neither a document nor a feature; there are wind, pressure, seams, "));
 }
 
 void tst_StudyCommand::instructionsAreCountedOrTheReasonIsSaid() {
