@@ -140,7 +140,7 @@ GarmentPlan garmentPlan(const pattern::Pattern& pattern, bool quick) {
         plan.referenceRuns = 16;
         plan.repetitions = 3;
         plan.longRun = 300;
-        plan.budget = 3600;
+        plan.budget = 600;
     }
     const std::vector<bool> layouts = finestSpacing(pattern) ? std::vector{true, false} : std::vector{true};
     for (const double factor : quick ? std::array{1.4, 1.2, 1.0} : std::array{1.4, 1.0, 0.7})
