@@ -2,19 +2,16 @@
 #include "app/batch/StudyGarment.h"
 
 #include "app/batch/Console.h"
+#include "app/batch/GoBook.h"
 #include "app/batch/Opening.h"
-#include "app/batch/RecordBook.h"
 #include "app/batch/StudyFolder.h"
 #include "core/base/AtomicFile.h"
-#include "core/base/Sha256.h"
 #include "core/io/DocumentFile.h"
-#include "core/io/ToileFile.h"
 #include "core/study/GarmentRecords.h"
 #include "core/study/GarmentReport.h"
 
 #include <filesystem>
 #include <fmt/format.h>
-#include <span>
 
 namespace toile::batch {
 namespace {
@@ -25,34 +22,6 @@ std::string commandOf(const StudyOptions& options) {
     return fmt::format("toile-cli study accuracy {} --{}{} --out {}", options.cases.front(),
                        options.full ? "full" : "quick",
                        options.within ? fmt::format(" --within {:g}", 1e3 * *options.within) : "", options.out);
-}
-
-/// What the drapes of a document follow from: its text and its body.
-std::string hashOf(const document::Document& document, const simulation::Scene& scene) {
-    const std::string text = io::toileText(document);
-    std::string hash = sha256(std::as_bytes(std::span(text)));
-    if (scene.body) hash += sha256(std::as_bytes(std::span((*scene.body)->mesh.vertices)));
-    return sha256(std::as_bytes(std::span(hash)));
-}
-
-/// Keeps every drape as it comes, so that a study that was stopped goes on with the next one.
-study::GoKeeper keeperIn(RecordBook& book, std::string hash, const study::Circumstances& circumstances) {
-    return [&book, &circumstances, hash = std::move(hash)](Json key, const auto& run) -> Result<study::GarmentGo> {
-        Json scene = *key.find("scene");
-        key.set("scene", scene.set("hash", hash));
-        const auto recordsOf = [&](const study::GarmentGo& go) {
-            Json record;
-            study::note(record, "toile-study-drape-1", circumstances);
-            record.set("scene", *key.find("scene")).set("method", *key.find("method")).set("go", toJson(go));
-            return std::vector{std::move(record)};
-        };
-        const auto from = [&](const std::vector<Json>& known) {
-            const Json* kept = known.front().find("go");
-            const auto go = kept ? study::goFrom(*kept) : std::nullopt;
-            return go ? Result<study::GarmentGo>(*go) : run();
-        };
-        return book.part({key}, from, run, recordsOf);
-    };
 }
 
 Result<void> run(const StudyOptions& options, std::stop_token stop) {
@@ -70,8 +39,10 @@ Result<void> run(const StudyOptions& options, std::stop_token stop) {
     const fs::path folder(options.out);
     auto book = RecordBook::opened(folder / "drapes.jsonl", circumstances, options.fresh);
     if (!book) return tl::unexpected(book.error());
-    const auto study = study::studyGarment(fs::path(file).stem().string(), opened->scene, plan, stop, bar.progress(),
-                                           keeperIn(*book, hashOf(document->document, opened->scene), circumstances));
+    const GoBook<study::GarmentGo> goes{*book, hashOf(document->document, opened->scene), circumstances,
+                                        "toile-study-drape-1", study::goFrom};
+    const auto study =
+        study::studyGarment(fs::path(file).stem().string(), opened->scene, plan, stop, bar.progress(), goes);
     if (!study) return tl::unexpected(study.error());
     fmt::print("{}", book->standingText());
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
+#include "app/batch/GoBook.h"
 #include "app/batch/Opening.h"
 #include "app/batch/StudyFolder.h"
 #include "core/base/AtomicFile.h"
@@ -31,12 +32,17 @@ int studyRegions(const StudyOptions& options, std::stop_token stop) {
                                           .sewing = {.hold = 0}};
     const study::Circumstances circumstances = circumstancesOf(
         fmt::format("toile-cli study regions {} --{} --out {}", file, options.full ? "full" : "quick", options.out));
-    auto study = study::studyRegions(opened->scene, settings, stop, bar.progress());
+    auto book = RecordBook::opened(std::filesystem::path(options.out) / "drapes.jsonl", circumstances, options.fresh);
+    if (!book) return refuse(book.error());
+    const GoBook<study::LayoutGo> goes{*book, hashOf(document->document, opened->scene), circumstances,
+                                       "toile-study-layout-1", study::layoutGoFrom};
+    auto study = study::studyRegions(opened->scene, settings, stop, bar.progress(), goes);
     if (!study) {
         Error error = study.error();
         if (error.place.file.empty()) error.place.file = file;
         return refuse(error);
     }
+    fmt::print("{}", book->standingText());
     const auto motion = study::motionCosts(opened->scene, *study, stop, bar.progress());
     if (!motion) return refuse(motion.error());
     if (auto written =

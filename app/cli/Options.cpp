@@ -302,6 +302,7 @@ void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& cho
     regions->add_flag("--full,!--quick", options->full,
                       "the reference is twice as fine as the finest region; else as fine as it");
     regions->add_option("--out", options->out, "folder of report.md and results.jsonl")->required();
+    addFresh(*regions, options->fresh);
     regions->add_flag("--quiet", options->quiet, "no progress");
     regions->callback(
         [options, stop, &chosen] { chosen = [options, stop] { return batch::studyRegions(*options, stop); }; });

@@ -2,7 +2,7 @@
 #include "core/study/GarmentAccuracy.h"
 
 #include "core/base/Contracts.h"
-#include "core/study/Regions.h"
+#include "core/study/Layouts.h"
 
 #include <algorithm>
 #include <array>

@@ -5,6 +5,7 @@
 #include "core/simulation/Sew.h"
 #include "core/study/Calibration.h"
 #include "core/study/EachPiece.h"
+#include "core/study/ReadBack.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -133,13 +134,6 @@ Json toJson(const GarmentDrape& drape) {
     json.set("status", drape.status).set("quantities", quantities).set("absent", absent);
     json.set("cpuSeconds", drape.seconds).set("particles", drape.particles);
     return json.set("simulatedSeconds", drape.simulatedSeconds).set("facts", drape.facts);
-}
-
-/// What a record must have, and of what kind, to be one.
-template <class Value>
-const Value* memberOf(const Json& json, const char* key, const Value* (Json::*as)() const) {
-    const Json* member = json.find(key);
-    return member ? (member->*as)() : nullptr;
 }
 
 std::optional<GarmentDrape> drapeFrom(const Json& json) {

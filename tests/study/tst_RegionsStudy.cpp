@@ -3,6 +3,8 @@
 #include "samples/SmallScenes.h"
 
 #include <QTest>
+#include <algorithm>
+#include <map>
 
 using namespace toile;
 using study::RegionsStudy;
@@ -51,6 +53,8 @@ private slots:
     void theFinestSpacingIsThatOfARegion();
     void aPatternWithoutRegionsHasNothingToCompare();
     void layoutsAreComparedAtTheSamePoints();
+    void aStudyGoesOnWithTheDrapesThatWereKept();
+    void aRecordThatIsNoDrapeIsNotReadBack();
     void theVerdictFollowsTheNumbers();
     void noisyTimesAreNotCompared();
 };
@@ -95,6 +99,51 @@ void tst_RegionsStudy::layoutsAreComparedAtTheSamePoints() {
         QCOMPARE(toLine(record).find("null"), std::string::npos);
         const Json* cost = record.find("cost");
         QVERIFY(*cost->find("cpuSecondsMinimum")->asNumber() <= *cost->find("cpuSecondsMedian")->asNumber());
+    }
+}
+
+void tst_RegionsStudy::aStudyGoesOnWithTheDrapesThatWereKept() {
+    std::map<std::string, std::string> kept; // lines by their key
+    int runs = 0;
+    const auto keeper = [&](const Json& key, const auto& run) -> Result<study::LayoutGo> {
+        std::string& line = kept[toLine(key)];
+        if (!line.empty()) return study::layoutGoFrom(*parseJson(line)).value();
+        ++runs;
+        auto go = run();
+        if (go) line = toLine(toJson(*go));
+        return go;
+    };
+    const auto studied = [&] {
+        return study::studyRegions(hangingSheet(true), {.referenceSpacing = 0.01, .repetitions = 2}, {}, {}, keeper);
+    };
+    const auto first = studied();
+    QVERIFY(first);
+    const int all = 2 * static_cast<int>(study::layoutKinds.size()) + 2; // and the reference, twice
+    QCOMPARE(runs, all);
+    QCOMPARE(static_cast<int>(kept.size()), all);
+    const auto again = studied();
+    QCOMPARE(runs, all);
+    QCOMPARE(study::regionsText(*again, "sheet", {}), study::regionsText(*first, "sheet", {}));
+    for (std::size_t i = 0; i < first->layouts.size(); ++i) QCOMPARE(again->layouts[i].rms, first->layouts[i].rms);
+    kept.erase(std::ranges::find_if(kept, [](const auto& line) { return says(line.first, "repetition 2"); }));
+    QVERIFY(studied());
+    QCOMPARE(runs, all + 1);
+}
+
+void tst_RegionsStudy::aRecordThatIsNoDrapeIsNotReadBack() {
+    study::LayoutGo go{.result = {.kind = study::LayoutKind::paper, .particles = 3}, .seconds = 0.5};
+    go.lattice = {Vec3{1, 2, 3}, std::nullopt, Vec3{0.1, 0.2, 0.3}};
+    go.parts = {{.piece = "Back", .region = "yoke", .finer = true, .area = 0.01}};
+    const auto back = study::layoutGoFrom(toJson(go));
+    QVERIFY(back);
+    QVERIFY(back->result.kind == study::LayoutKind::paper);
+    QCOMPARE(back->lattice.size(), std::size_t(3));
+    QVERIFY(back->lattice[0] == go.lattice[0] && !back->lattice[1] && back->lattice[2] == go.lattice[2]);
+    QCOMPARE(back->parts.front().area, 0.01);
+    for (const auto& [key, wrong] : {std::pair("layout", Json("spiral")), std::pair("cpuSeconds", Json("long")),
+                                     std::pair("lattice", Json(Json::Array{1.0, 2.0})), std::pair("strain", Json())}) {
+        Json json = toJson(go);
+        QVERIFY2(!study::layoutGoFrom(json.set(key, wrong)), key);
     }
 }
 
