@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/AvatarPath.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace toile::ui {
+
+QString avatarPath(const std::string& avatar, const QString& documentPath) {
+    const QString file = QString::fromStdString(avatar);
+    if (file.isEmpty() || QDir::isAbsolutePath(file) || documentPath.isEmpty()) return file;
+    return QDir::cleanPath(QFileInfo(documentPath).absoluteDir().filePath(file));
+}
+
+std::string avatarName(const QString& file, const QString& documentPath) {
+    const QString absolute = QFileInfo(file).absoluteFilePath();
+    if (documentPath.isEmpty()) return absolute.toStdString();
+    return QFileInfo(documentPath).absoluteDir().relativeFilePath(absolute).toStdString();
+}
+
+} // namespace toile::ui
