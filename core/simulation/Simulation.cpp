@@ -6,6 +6,7 @@
 #include "core/simulation/LayersApart.h"
 #include "core/simulation/LevelsOf.h"
 #include "core/simulation/PlanOf.h"
+#include "core/simulation/Speeds.h"
 #include "core/simulation/Topology.h"
 
 #include <algorithm>
@@ -15,8 +16,7 @@
 namespace toile::simulation {
 namespace {
 
-constexpr double restingSpeed = 0.005; // [m/s]
-constexpr double longEnough = 0.5;     ///< that slow, for a garment to be at rest [s]
+constexpr double longEnough = 0.5; ///< that slow, for a garment to be at rest [s]
 constexpr DressingSettings dressing;
 /// Of the methods that adapt their step: RMS error of a part [m].
 constexpr double positionTolerance = 1e-4;
@@ -256,15 +256,13 @@ Result<void> Simulation::advance(std::stop_token stop) {
     note(duration, *stepped);
     if (calmingFrames_ > 0 && --calmingFrames_ == 0) integrator_ = integratorOf(*drapingMethod_);
     ++steps_;
-    largestSpeed_ = 0;
-    for (std::size_t i = 0; i < state_.positions.size(); ++i)
-        largestSpeed_ =
-            std::max(largestSpeed_, geometry::distance(before.positions[i], state_.positions[i]) / duration);
+    const Speeds speeds = speedsOf(garment_->model.mass, before.positions, state_.positions, duration);
+    largestSpeed_ = speeds.largest;
     if (const auto sewn = mergeReadySeams(); !sewn) return sewn;
     holdClosedTacks();
     if (!closingSeams().empty() || closingTacks() > 0 || restingTime_ >= longEnough) goesOnAsItLay_ = false;
     goOnDressing();
-    restingTime_ = largestSpeed_ < restingSpeed && phase_ == Phase::draping ? restingTime_ + duration : 0;
+    restingTime_ = speeds.areOfRest() && phase_ == Phase::draping ? restingTime_ + duration : 0;
     stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     allSeconds_ += stepSeconds_;
     return {};

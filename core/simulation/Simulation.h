@@ -128,7 +128,7 @@ public:
     [[nodiscard]] double gapOfTack(std::size_t tack) const;
     /// Largest displacement of a particle in the last frame step over its duration [m/s].
     [[nodiscard]] double largestSpeed() const { return largestSpeed_; }
-    /// How long the largest speed has stayed under 5 mm/s with no seam closing [s].
+    /// How long the cloth has been of rest (Speeds) with no seam closing [s].
     [[nodiscard]] double restingTime() const { return restingTime_; }
 
     /// Positions of all nodes, as the topology numbers them.
