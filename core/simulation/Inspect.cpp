@@ -7,6 +7,7 @@
 #include "core/collision/Intersections.h"
 #include "core/dynamics/SelfContact.h"
 #include "core/simulation/LayersApart.h"
+#include "core/simulation/Plackets.h"
 #include "core/simulation/Topology.h"
 
 #include <algorithm>
@@ -79,6 +80,35 @@ std::vector<pattern::Vertex> landmarkVertices(const pattern::Contour& outline) {
             corners.push_back(outline.vertices[i]);
     }
     return corners;
+}
+
+/// Whether a corner was placed beyond the middle, on its mirror image's side: one front of a shirt lies over the other
+/// there, and left and right are not meant to be alike.
+bool overlapsItsImage(const Drape& drape, int source, const std::array<int, 2>& pair) {
+    Vec3 sum;
+    for (std::size_t t = 0; t < drape.piece.size(); ++t)
+        if (drape.piece[t] == source)
+            for (const int particle : drape.triangles[t]) sum += drape.start[particle];
+    const double middle = 1e-3; // [m]; corners on the line itself are landmarks
+    return sum.x > 0 ? drape.start[pair[0]].x < -middle : drape.start[pair[0]].x > middle;
+}
+
+/// What is buttoned hangs together for the verdict: the slits between its buttons are filled.
+void closePlackets(Drape& drape, const Simulation& simulation) {
+    std::vector<HeldTogether> tacks;
+    const ParticleMap& particles = simulation.garment().particles;
+    for (const TackState& tack : simulation.tacks()) {
+        HeldTogether& held = tacks.emplace_back();
+        for (std::size_t end = 0; end < 2; ++end) {
+            const MeshPoint& at = tack.ends[end];
+            held.piece[end] = at.piece;
+            for (std::size_t k = 0; k < 3; ++k)
+                held.place[end] += at.weights[k] * drape.positions[particles.particle({at.piece, at.nodes[k]})];
+        }
+    }
+    const auto plackets = placketsOf(drape.triangles, drape.piece, drape.positions, tacks);
+    drape.triangles.insert(drape.triangles.end(), plackets.begin(), plackets.end());
+    drape.piece.insert(drape.piece.end(), plackets.size(), Drape::noPiece);
 }
 
 } // namespace
@@ -163,11 +193,13 @@ Drape drapeOf(const Simulation& simulation) {
         for (const pattern::Vertex& vertex : landmarkVertices((*source)->outline)) {
             const auto left = nodeOf((*source)->outline, garment.mesh->pieces[sourceIndex], vertex.id);
             const auto right = nodeOf(resolved.outline, garment.mesh->pieces[image], vertex.id);
-            if (left && right)
-                drape.mirrorPairs.push_back({garment.particles.particle({sourceIndex, *left}),
-                                             garment.particles.particle({static_cast<int>(image), *right})});
+            if (!left || !right) continue;
+            const std::array<int, 2> pair{garment.particles.particle({sourceIndex, *left}),
+                                          garment.particles.particle({static_cast<int>(image), *right})};
+            if (!overlapsItsImage(drape, sourceIndex, pair)) drape.mirrorPairs.push_back(pair);
         }
     }
+    closePlackets(drape, simulation);
     return drape;
 }
 

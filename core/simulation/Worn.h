@@ -49,12 +49,14 @@ struct WornReport {
     std::optional<StrainSummary> wovenStrain; ///< of garments with woven pieces
 };
 
-/// The drape as the verdict needs it. Particle indices; `start` are the placed positions.
+/// The drape as the verdict needs it, buttoned plackets filled (Plackets.h). Particle indices; `start` are the placed
+/// positions.
 struct Drape {
+    static constexpr int noPiece = -1; ///< of a triangle that only fills a placket
     std::vector<std::array<int, 3>> triangles;
     std::vector<Vec3> positions, start;
     std::vector<std::array<int, 2>> mirrorPairs;   ///< particles at corners of mirror pieces and their sources
-    std::vector<int> piece = {};                   ///< of each triangle; empty = all of one
+    std::vector<int> piece = {};                   ///< of each triangle, or noPiece; empty = all of one
     std::optional<StrainSummary> wovenStrain = {}; ///< of the woven pieces; absent if all are knits
 };
 
