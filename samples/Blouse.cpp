@@ -2,12 +2,12 @@
 #include "samples/Blouse.h"
 
 #include "core/material/FabricPresets.h"
+#include "samples/Cuff.h"
 #include "samples/Measuring.h"
 #include "samples/Placing.h"
 #include "samples/UpperGarment.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace toile::samples {
 namespace {
@@ -88,46 +88,15 @@ SleeveSettings sleeveSettings(const body::Measurements& m, const BlouseSettings&
             .backEase = s.backCapEase};
 }
 
-/// As long, down its middle, as is wanted once the cuff is sewn on.
-Result<SleevePiece> draftArm(const body::Measurements& m, const Torso& torso, const Fabric& fabric,
-                             const BlouseSettings& s) {
-    const NotchDistances at;
-    const Armholes armholes{edgeLength(torso.front, edgeId("front-left", "armhole")),
-                            edgeLength(torso.back, edgeId("back", "armhole-right")), at.front, at.back};
-    SleeveSettings settings = sleeveSettings(m, s);
-    auto sleeve = draftSleevePiece(fabric, s.spacing, armholes, settings);
-    for (int pass = 0; sleeve && pass < 3; ++pass) { // the taper moves the cap's height by less than a millimetre
-        settings.underarmLength +=
-            m.arm - s.aboveWrist - s.cuffWidth - (sleeve->draft.capHeight - sleeve->draft.bottomY);
-        sleeve = draftSleevePiece(fabric, s.spacing, armholes, settings);
-    }
-    return sleeve;
-}
-
-Piece draftCuff(const body::Measurements& m, const Fabric& fabric, const BlouseSettings& s) {
-    Piece cuff = pieceNamed("cuff-left", "Cuff left", fabric, s.spacing);
-    const double half = (m.wrist + s.cuffEase) / 2;
-    cuff.outline = contourOf("cuff-left", rectangle({-half, -s.cuffWidth}, {half, 0}));
-    cuff.grain = std::numbers::pi / 2; // warp runs round the wrist
-    return cuff;
-}
-
-/// Below the sleeve, wide enough for the hand it passes.
-Placement placedCuff(const body::Body& body, double sleeveBottom, double girth, double width) {
-    const LimbLine line = armLine(body, true);
-    const double top = sleeveBottom + 0.012;
-    return placedTube(
-        line, top,
-        std::max(girth / (2 * std::numbers::pi * 0.94), limbRadius(body, line, top, top + width, 0.09) + 0.008));
+CuffedSleeve cuffedSleeve(const body::Measurements& m, const BlouseSettings& s) {
+    return {.aboveWrist = s.aboveWrist, .cuffWidth = s.cuffWidth, .cuffLength = m.wrist + s.cuffEase};
 }
 
 std::vector<Seam> sewHalf(const std::string& side, const Piece& front, const HalfEdges& back, const Piece& sleeve,
                           const Piece& cuff, const SleeveSettings& settings) {
-    std::vector<Seam> seams{seam("dart " + side, {along(front, "dart-lower")}, {against(front, "dart-upper")}),
-                            seam("cuff " + side, {along(sleeve, "bottom")}, {against(cuff, "top")}),
-                            seam("cuff seam " + side, {along(cuff, "right")}, {against(cuff, "left")})};
-    for (const auto& more :
-         {sewSide(side, halfOf(front), back), sewSleeve(side, sleeve, halfOf(front), back, settings)})
+    std::vector<Seam> seams{seam("dart " + side, {along(front, "dart-lower")}, {against(front, "dart-upper")})};
+    for (const auto& more : {sewCuff(side, sleeve, cuff), sewSide(side, halfOf(front), back),
+                             sewSleeve(side, sleeve, halfOf(front), back, settings)})
         seams.insert(seams.end(), more.begin(), more.end());
     return seams;
 }
@@ -144,16 +113,19 @@ Result<document::Document> blouse(const body::Measurements& m, const body::Body&
     auto drafted = draftTorso(m, figuresOf(m, body.landmarks), fabric, s);
     if (!drafted) return tl::unexpected(drafted.error());
     Torso& torso = *drafted;
-    auto arm = draftArm(m, torso, fabric, s);
+    const NotchDistances at;
+    const Armholes armholes{edgeLength(torso.front, edgeId("front-left", "armhole")),
+                            edgeLength(torso.back, edgeId("back", "armhole-right")), at.front, at.back};
+    const CuffedSleeve cuffed = cuffedSleeve(m, s);
+    auto arm = draftCuffedSleeve(m, fabric, s.spacing, armholes, sleeveDraft, cuffed);
     if (!arm) return tl::unexpected(arm.error());
     SleevePiece& sleeve = *arm;
-    Piece cuff = draftCuff(m, fabric, s);
 
     const double height = body.landmarks.neckLeft.y + 0.03; // drawn together above the shoulders, they sink on them
     torso.front.placement = placedPanel(torso.front, body, {.behind = false, .height = height, .lean = 0.22});
     torso.back.placement = placedPanel(torso.back, body, {.behind = true, .height = height, .lean = 0.12});
     const double sleeveBottom = placeSleeve(sleeve, body);
-    cuff.placement = placedCuff(body, sleeveBottom, sleeveDraft.bottom, s.cuffWidth);
+    const Piece cuff = draftCuff(fabric, s.spacing, body, sleeveBottom, cuffed);
     const Piece frontRight = mirrorPiece("front-right", "Front right", torso.front);
     const Piece sleeveRight = mirrorPiece("sleeve-right", "Sleeve right", sleeve.piece);
     const Piece cuffRight = mirrorPiece("cuff-right", "Cuff right", cuff);

@@ -5,6 +5,7 @@
 #include "samples/BodyScenes.h"
 #include "samples/CircleSkirt.h"
 #include "samples/RegionScenes.h"
+#include "samples/Shirt.h"
 #include "samples/SmallScenes.h"
 #include "samples/TShirt.h"
 #include "samples/Table.h"
@@ -23,13 +24,15 @@ Result<Wearers> sampleWearers() {
 Result<std::vector<NamedDocument>> sampleDocuments(const Wearers& wearers) {
     const body::Measurements& m = wearers.usual.measurements;
     const body::Body& body = wearers.usual.body;
-    auto upper = blouse(wearers.fuller.measurements, wearers.fuller.body), shirt = tShirt(m, body),
+    auto upper = blouse(wearers.fuller.measurements, wearers.fuller.body),
+         buttoned = shirt(wearers.fuller.measurements, wearers.fuller.body), knitted = tShirt(m, body),
          legs = trousers(m, body);
-    for (const auto* drafted : {&upper, &shirt, &legs})
+    for (const auto* drafted : {&upper, &buttoned, &knitted, &legs})
         if (!*drafted) return tl::unexpected(drafted->error());
     std::vector<NamedDocument> samples{
         {"blouse", std::move(*upper)},
-        {"t-shirt", std::move(*shirt)},
+        {"band-collar-shirt", std::move(*buttoned)},
+        {"t-shirt", std::move(*knitted)},
         {"circle-skirt", circleSkirt(m, body)},
         {"trousers", std::move(*legs)},
         {"sheet-two-corners", squareSheet(SheetPins::twoCorners)},

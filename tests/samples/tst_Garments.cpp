@@ -126,6 +126,7 @@ void tst_Garments::mirrorPiecesStartAsMirrorImages() {
         for (const Shared<Piece>& image : sample.document.pattern.pieces) {
             if (!image->mirror) continue;
             const Piece& source = *findPiece(sample.document.pattern, image->mirror->source);
+            if (image->layer != source.layer) continue; // it lies over its source, a little farther out
             for (const Vertex& vertex : source.outline.vertices) {
                 const Vec3 p = placed(*source.placement, vertex.position);
                 const Vec3 q = placed(*image->placement, {-vertex.position.x, vertex.position.y});
