@@ -39,7 +39,9 @@ std::optional<int> nearestOn(const Opening& border, const std::set<int>& ofPiece
     for (std::size_t i = 0; i < border.size(); ++i) {
         if (!ofPiece.contains(border[i])) continue;
         const double far = geometry::distance(positions[border[i]], place);
-        if (far <= least) least = far, best = static_cast<int>(i);
+        if (far > least) continue;
+        least = far;
+        best = static_cast<int>(i);
     }
     return best;
 }
@@ -74,8 +76,13 @@ void fill(const Chain& there, const Chain& back, std::span<const Vec3> positions
         const auto far = [&](int a, int b) { return geometry::distance(positions[a], positions[b]); };
         const bool onThere =
             i + 1 < there.size() && (j == 0 || far(there[i + 1], back[j]) <= far(there[i], back[j - 1]));
-        if (onThere) triangles.push_back({there[i + 1], there[i], back[j]}), ++i;
-        else triangles.push_back({back[j], back[j - 1], there[i]}), --j;
+        if (onThere) {
+            triangles.push_back({there[i + 1], there[i], back[j]});
+            ++i;
+        } else {
+            triangles.push_back({back[j], back[j - 1], there[i]});
+            --j;
+        }
     }
 }
 
