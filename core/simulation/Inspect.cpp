@@ -82,8 +82,8 @@ std::vector<pattern::Vertex> landmarkVertices(const pattern::Contour& outline) {
     return corners;
 }
 
-/// Whether a corner was placed beyond the middle, on its mirror image's side: one front of a shirt lies over the other
-/// there, and left and right are not meant to be alike.
+/// Whether a corner was placed beyond the middle, on its mirror image's side. Of pieces of different layers one lies
+/// over the other there, as the fronts of a shirt, and left and right are not meant to be alike.
 bool overlapsItsImage(const Drape& drape, int source, const std::array<int, 2>& pair) {
     Vec3 sum;
     for (std::size_t t = 0; t < drape.piece.size(); ++t)
@@ -196,7 +196,8 @@ Drape drapeOf(const Simulation& simulation) {
             if (!left || !right) continue;
             const std::array<int, 2> pair{garment.particles.particle({sourceIndex, *left}),
                                           garment.particles.particle({static_cast<int>(image), *right})};
-            if (!overlapsItsImage(drape, sourceIndex, pair)) drape.mirrorPairs.push_back(pair);
+            const bool liesOver = resolved.layer != (*source)->layer && overlapsItsImage(drape, sourceIndex, pair);
+            if (!liesOver) drape.mirrorPairs.push_back(pair);
         }
     }
     closePlackets(drape, simulation);
