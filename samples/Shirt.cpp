@@ -184,22 +184,14 @@ Result<document::Document> shirt(const body::Measurements& m, const body::Body& 
     pattern.fabrics = {fabric};
     pattern.pieces = {torso.frontLeft, torso.frontRight, torso.back, torso.yoke, sleeve, sleeveRight, cuff,
                       cuffRight,       stand.left,       stand.right};
-    const Half left{"left",
-                    torso.frontLeft,
-                    sleeve,
-                    cuff,
-                    stand.left,
-                    negativeHalf(torso.back, "-left"),
-                    negativeHalf(torso.yoke, "-left")};
-    const Half right{"right",
-                     torso.frontRight,
-                     sleeveRight,
-                     cuffRight,
-                     stand.right,
-                     positiveHalf(torso.back, "-right"),
-                     positiveHalf(torso.yoke, "-right")};
-    for (const auto& seams : {sewHalf(left, sleeveDraft), sewHalf(right, sleeveDraft)})
+    const auto sewn = [&](const Half& half) {
+        const auto seams = sewHalf(half, sleeveDraft);
         pattern.seams.insert(pattern.seams.end(), seams.begin(), seams.end());
+    };
+    const auto leftOf = [](const Piece& piece) { return negativeHalf(piece, "-left"); };
+    const auto rightOf = [](const Piece& piece) { return positiveHalf(piece, "-right"); };
+    sewn({"left", torso.frontLeft, sleeve, cuff, stand.left, leftOf(torso.back), leftOf(torso.yoke)});
+    sewn({"right", torso.frontRight, sleeveRight, cuffRight, stand.right, rightOf(torso.back), rightOf(torso.yoke)});
     pattern.seams.push_back(collarStandSeam(stand));
     pattern.tacks = buttons(torso, stand, s);
     document.scene.skinOffset = 0.0035; // as the blouse's

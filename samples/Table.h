@@ -6,6 +6,6 @@
 namespace toile::samples {
 
 /// The pattern with its pieces side by side in rows on the pattern table, 5 cm apart, in their order.
-[[nodiscard]] pattern::Pattern laidOut(pattern::Pattern pattern, double rowWidth = 1.8);
+[[nodiscard]] pattern::Pattern laidOut(pattern::Pattern pattern, double rowWidth = 2.06);
 
 } // namespace toile::samples
