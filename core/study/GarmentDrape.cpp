@@ -16,11 +16,22 @@ namespace {
 
 using simulation::Scene;
 
+/// Cloth without seams starts somewhere else instead: so far to the side for twice their time [m].
+constexpr double perSeamTime = 0.1;
+
+pattern::Pattern shifted(pattern::Pattern pattern, double sideways) {
+    return eachPiece(std::move(pattern), [sideways](pattern::Piece& piece) {
+        if (piece.placement) piece.placement->transform.origin.x += sideways;
+    });
+}
+
 Scene sceneOf(const Scene& scene, const GarmentSetup& setup, double seamTime) {
     Scene changed = scene;
     changed.pattern =
         setup.regions ? coarser(scene.pattern, setup.factor) : uniformCoarser(scene.pattern, setup.factor);
     changed.settings.seamTime *= seamTime;
+    if (changed.pattern.seams.empty())
+        changed.pattern = shifted(std::move(changed.pattern), (seamTime - 1) * perSeamTime);
     return changed;
 }
 

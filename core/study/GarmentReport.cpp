@@ -185,7 +185,8 @@ std::string garmentText(const GarmentAccuracy& study, const std::optional<double
         std::back_inserter(text),
         "# Error against run time: {}\n\n`{}`, {}, {}. One *calibration*, a loop over a million spring forces, takes "
         "{:.3g} ms.\n\nReference: the mean of {} drapes at {:.3g} mm, uniform ({} particles), by xpbd with the static "
-        "finish, their seams closing a little slower or faster. The *floor* of a quantity: within it of the mean lie "
+        "finish, their seams closing a little slower or faster (cloth without seams starts up to a millimetre to the "
+        "side). The *floor* of a quantity: within it of the mean lie "
         "19 of "
         "20 such drapes; half a millimetre, 0.05 %, 10 cm² or half a fold where that is more. *Floors off*: root mean "
         "square over the quantities of error over floor. The reference's own drapes are up to {:.2g} floors off the "

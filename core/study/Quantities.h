@@ -41,8 +41,9 @@ struct WornDrape {
 
 /// Always the same quantities in the same order; those that the garment does not have say why:
 /// hem above the floor at the centre front, centre back and sides; its folds; wearing ease at bust, waist and hip;
-/// distance of the back-neck point from the nape; shoulder points' height and distance; strain that 95 % of the area
-/// does not exceed; area that lies on the body.
+/// distance of the back-neck point from the nape; shoulder points' height and distance (WornQuantities.h); of cloth
+/// that is not worn its lowest point, mean height, area seen from above, folds at the border (HangingQuantities.h);
+/// area that lies on the body; strain that 95 % of the area does not exceed.
 [[nodiscard]] std::vector<Quantity> quantitiesOf(const WornDrape& worn);
 [[nodiscard]] std::vector<Quantity> quantitiesOf(const simulation::Simulation& simulation);
 /// The same without values.

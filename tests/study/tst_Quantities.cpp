@@ -92,7 +92,10 @@ private slots:
     void theShoulderIsWhereItsSeamEnds();
     void aSkirtHasAHemAndNoNeck();
     void aWaistbandAloneIsNoHem();
-    void clothWithoutABodyHasStrainAlone();
+    void aGarmentWithLimbsInItIsNotToldAsHanging();
+    void clothOnNothingIsToldByHeightShadowAndFolds();
+    void theMeanHeightIsThatOfTheArea();
+    void clothThatCoversItselfCastsOneShadow();
     void strainIsThatOfTheHoop();
 };
 
@@ -206,12 +209,50 @@ void tst_Quantities::aWaistbandAloneIsNoHem() {
     QVERIFY(named(all, "hemFolds").whyAbsent.starts_with("No hem goes round the body"));
 }
 
-void tst_Quantities::clothWithoutABodyHasStrainAlone() {
-    const simulation::Drape drape = shirt();
-    for (const Quantity& quantity : study::quantitiesOf({drape, nullptr, nullptr, {}, {.warpPercentile95 = 0.01}})) {
-        QCOMPARE(quantity.value.has_value(), quantity.measure == study::Measure::strain);
-        QCOMPARE(quantity.whyAbsent.empty(), quantity.value.has_value());
+void tst_Quantities::aGarmentWithLimbsInItIsNotToldAsHanging() {
+    for (const char* key : {"lowestPoint", "meanHeight", "shadowArea", "borderFolds"}) {
+        const Quantity quantity = named(quantitiesOf(shirt()), key);
+        QVERIFY(!quantity.value);
+        QCOMPARE(quantity.whyAbsent, std::string("It is worn: hem and ease tell."));
     }
+}
+
+void tst_Quantities::clothOnNothingIsToldByHeightShadowAndFolds() {
+    // A cone open below, from a small ring to a wavy border: it covers the wave's own area but for the hole.
+    constexpr int waves = 6;
+    constexpr double swing = 0.02, hole = 0.01;
+    const auto drape = tubeThrough({wavy(waves, swing), tubes::ring({0, 1.1, 0}, hole, around)});
+    const auto all = study::quantitiesOf({drape, nullptr, nullptr, {}, {.warpPercentile95 = 0.01}});
+    QCOMPARE(valueOf(all, "lowestPoint"), 0.5);
+    QCOMPARE(valueOf(all, "borderFolds"), double(waves));
+    const double wave = std::numbers::pi * (0.25 * 0.25 + swing * swing / 2), ring = std::numbers::pi * hole * hole;
+    QVERIFY(isNear(valueOf(all, "shadowArea"), wave - ring, 2e-3 * wave)); // 96 chords
+    QVERIFY(!named(all, "contactArea").value);
+    QCOMPARE(named(all, "hemFront").whyAbsent, std::string("There is no body with limbs."));
+    QCOMPARE(valueOf(all, "warpStrain"), 0.01);
+}
+
+void tst_Quantities::theMeanHeightIsThatOfTheArea() {
+    // A cone's area grows with its radius: from r at the top to R below, its mean lies (R + 2 r) / (3 (R + r)) up.
+    constexpr double above = 0.1, below = 0.2;
+    const auto drape = tubeThrough({tubes::ring({0, 0.4, 0}, below, around), tubes::ring({0, 1, 0}, above, around)});
+    const auto all = study::quantitiesOf({drape, nullptr, nullptr, {}, {}});
+    QVERIFY(isNear(valueOf(all, "meanHeight"), 0.4 + 0.6 * (below + 2 * above) / (3 * (below + above)), 1e-3));
+}
+
+void tst_Quantities::clothThatCoversItselfCastsOneShadow() {
+    const auto once = tubeThrough({tubes::ring({0, 1, 0}, 0.2, around), tubes::ring({0, 1, 0}, 0.1, around)});
+    simulation::Drape twice = once; // the same ring below it, and an upright sheet that shows its edge alone
+    const int offset = static_cast<int>(once.positions.size());
+    for (const Vec3& p : once.positions) twice.positions.push_back({p.x, p.y - 0.1, p.z});
+    for (const auto& [a, b, c] : once.triangles) twice.triangles.push_back({a + offset, b + offset, c + offset});
+    twice.triangles.push_back({0, around / 2, offset});
+    twice.piece.resize(twice.triangles.size(), 0);
+    const auto shadow = [](const simulation::Drape& drape) {
+        return valueOf(study::quantitiesOf({drape, nullptr, nullptr, {}, {}}), "shadowArea");
+    };
+    QVERIFY(isNear(shadow(once), std::numbers::pi * 0.03, 3e-4));
+    QVERIFY(isNear(shadow(twice), shadow(once), 4e-4)); // 0.2 m of edge between squares of 2 mm
 }
 
 /// V24: a tube of 95 mm radius, sewn round a cylinder of 100 mm and its skin of 3 mm, is stretched round it.
