@@ -32,9 +32,9 @@ int substepsOf(const Scene& scene) {
     return simulation ? simulation->substeps() : 0; // the run will say why
 }
 
-Feature coarseLevels(double spacing) {
+Feature coarseLevels() {
     constexpr int wanted = 99; // of the strip without levels
-    const Scene sheet = heldSheet(spacing);
+    const Scene sheet = heldSheet(0.02); // on a finer mesh its substeps would not suffice
     return {"coarse levels",
             "coarse levels",
             {{Role::absent, "the scene says how many substeps", withSubsteps(sheet, substepsOf(sheet))},
@@ -59,7 +59,7 @@ Feature damping(double spacing) {
 } // namespace
 
 std::vector<Feature> integratorFeatures(double spacing) {
-    return {damping(spacing), coarseLevels(spacing)};
+    return {damping(spacing), coarseLevels()};
 }
 
 } // namespace toile::study::lean
