@@ -38,6 +38,7 @@ Result<std::vector<NamedDocument>> sampleDocuments(const Wearers& wearers) {
         {"sheet-two-corners", squareSheet(SheetPins::twoCorners)},
         {"sheet-one-edge", squareSheet(SheetPins::oneEdge)},
         {"tablecloth", tablecloth()},
+        {"table-edge", tableEdge()},
         {"tube", tubeRoundCylinder()},
         {"buttoned-band", buttonedBand()},
         {"two-squares", twoSquares()},

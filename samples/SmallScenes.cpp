@@ -87,6 +87,21 @@ document::Document tablecloth(double spacing) {
     return document;
 }
 
+document::Document tableEdge(double spacing) {
+    constexpr double width = 0.2, lying = 0.8, hanging = 0.2; // [m]
+    document::Document document;
+    const Fabric fabric = material::poplin();
+    Piece strip = pieceNamed("strip", "Strip", fabric, spacing);
+    strip.outline =
+        contourOf("strip", rectangle({-width / 2, -tableRadius - hanging}, {width / 2, lying - tableRadius}));
+    strip.placement = Placement{lyingAt({0, tableHeight + 0.005, 0}), {}};
+    document.pattern.fabrics = {fabric};
+    document.pattern.pieces = {strip};
+    document.avatarFile = "bodies/table.glb";
+    document.scene.damping = 2; // what hangs swings for long
+    return document;
+}
+
 document::Document tubeRoundCylinder(const TubeScene& scene) {
     document::Document document;
     const Fabric fabric = linearCloth("linear-cloth", scene.stiffness);

@@ -14,6 +14,9 @@ enum class SheetPins { twoCorners, oneEdge };
 /// A square cloth 1.2 m wide, flat above the round table of tableMesh().
 [[nodiscard]] document::Document tablecloth(double spacing = 0.025);
 
+/// A strip of poplin, 1 m long, that lies on the same table and hangs over its edge by 0.2 m.
+[[nodiscard]] document::Document tableEdge(double spacing = 0.02);
+
 /// V24: a tube of linear cloth without gravity and friction, sewn round the cylinder of cylinderMesh(), which is
 /// thicker than the tube.
 struct TubeScene {
