@@ -7,6 +7,7 @@
 #include "app/batch/StudyFolder.h"
 #include "core/base/AtomicFile.h"
 #include "core/io/DocumentFile.h"
+#include "core/study/Advice.h"
 #include "core/study/GarmentRecords.h"
 #include "core/study/GarmentReport.h"
 
@@ -62,6 +63,7 @@ Result<bool> writeGarmentReport(const std::string& folder, const study::GarmentA
     const std::string text = study::garmentText(study, within, circumstances);
     if (auto written = writeReport(folder, text, study::recordsOf(study, circumstances)); !written)
         return tl::unexpected(written.error());
+    if (study::countedRuns(study).empty()) return true; // there is nothing to be drawn
     if (auto written = writeFileAtomically(script, study::gnuplotScript(study, "accuracy")); !written)
         return tl::unexpected(written.error());
     return drawn(script);

@@ -11,7 +11,7 @@ namespace toile::batch {
 /// Error against run time of drapes of a document's garment.
 [[nodiscard]] int studyGarment(const StudyOptions& options, std::stop_token stop);
 
-/// report.md, results.jsonl and accuracy.gp, drawn: false where there is no gnuplot to draw it.
+/// report.md, results.jsonl and, where a run counts, accuracy.gp, drawn: false where there is no gnuplot to draw it.
 [[nodiscard]] Result<bool> writeGarmentReport(const std::string& folder, const study::GarmentAccuracy& study,
                                               const std::optional<double>& within,
                                               const study::Circumstances& circumstances);

@@ -149,6 +149,7 @@ std::string verdictOn(const GarmentAccuracy& study) {
     if (const std::size_t noisy = noisyRuns(study); noisy > 0) return tooNoisy(noisy, countedRuns(study).size());
     std::string text = judged("The interactive default", runOf(study, Method::xpbd, true), study);
     text += judged("The accurate default", runOf(study, Method::trBdf2, true), study);
+    if (countedRuns(study).empty()) return text + "No run counts: there is no front.";
     std::vector<std::string> front;
     for (const GarmentRun* run : frontOf(study)) front.push_back(nameOf(*run));
     return text + fmt::format("On the front, cheapest first: {}.", fmt::join(front, "; "));
@@ -200,7 +201,7 @@ std::string garmentText(const GarmentAccuracy& study, const std::optional<double
         1e3 * circumstances.calibration, reference.runs, 1e3 * reference.spacing, reference.particles, reference.band);
     text += verdictOn(study) + "\n\n";
     if (within) text += suggestion(study, *within) + "\n\n";
-    text += "![error against run time](accuracy.svg)\n\n";
+    if (!countedRuns(study).empty()) text += "![error against run time](accuracy.svg)\n\n";
     appendReference(text, reference);
     appendRuns(text, study, circumstances.calibration);
     text += "\nErrors against the reference; bold: beyond the floor.\n";

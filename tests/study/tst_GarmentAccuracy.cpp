@@ -54,6 +54,7 @@ private slots:
     void whatLiesInTheBandStandsAtItsEdge();
     void theVerdictFollowsTheFront();
     void noisyTimesAllowNoVerdict();
+    void withoutARunThatCountsThereIsNoFront();
     void aSettingIsSuggested();
     void theQuickPlanRunsTheAccurateMethodOnce();
     void aSheetIsStudiedFromEndToEnd();
@@ -131,6 +132,16 @@ void tst_GarmentAccuracy::noisyTimesAllowNoVerdict() {
     noisy.time.noisy = true;
     QVERIFY(says(verdictOn(studyOf({noisy})), "No conclusion about cost"));
     QVERIFY(says(suggestion(studyOf({noisy}), 1), "No conclusion about cost"));
+}
+
+void tst_GarmentAccuracy::withoutARunThatCountsThereIsNoFront() {
+    auto study = studyOf({runAt(Method::xpbd, true, 1, 1.005)});
+    QVERIFY(says(verdictOn(study), "On the front, cheapest first: xpbd"));
+    QVERIFY(says(garmentText(study, {}, here), "accuracy.svg"));
+    study.runs.front().drape.status = "cloth is in the body";
+    QVERIFY(says(verdictOn(study), "does not count (cloth is in the body)"));
+    QVERIFY(says(verdictOn(study), "No run counts: there is no front."));
+    QVERIFY(!says(garmentText(study, {}, here), "accuracy.svg"));
 }
 
 void tst_GarmentAccuracy::aSettingIsSuggested() {
