@@ -2,6 +2,7 @@
 #include "tests/cli/Pages.h"
 
 #include <QTemporaryDir>
+#include <cmath>
 
 using namespace toile;
 
@@ -24,6 +25,8 @@ Meshed meshed(const QString& garment, const QString& spacing) {
     return {number("rectangles"), number("quads") + number("triangles"), number("minimumAngleDegrees")};
 }
 
+constexpr int minute = 60000; // [ms]
+
 /// "72.1 %" as it would be printed from a share.
 QString percent(double share) {
     return QString::number(100 * share, 'f', 1) + " %";
@@ -39,6 +42,8 @@ private slots:
     void samplesHaveTheRectanglesThatThePageSays();
     void regionsSaveWhatThePageSays();
     void rulesMeshTheBackAsThePageSays();
+    void regionsOverTheRodAreAsNearAsThePageSays();
+    void positionBasedStepsAreAsFarOffAsThePageSays();
 };
 
 void tst_DocumentedFigures::samplesHaveTheRectanglesThatThePageSays() {
@@ -106,6 +111,49 @@ void tst_DocumentedFigures::rulesMeshTheBackAsThePageSays() {
         const QString all = finished.out.section("\nall ", 1).section('\n', 0, 0).simplified();
         QCOMPARE(all.section(' ', 7, 7) + "°", row[6]);
     }
+}
+
+void tst_DocumentedFigures::regionsOverTheRodAreAsNearAsThePageSays() {
+    const QString text = page("regions.md");
+    const auto rows = tableIn(text, "layout | least spacing mm | particles | CPU s to the drape | rms mm");
+    QCOMPARE(rows.size(), 6);
+    const QTemporaryDir folder;
+    const QStringList command{"study", "regions", sample("finer-over-rod.toile"), "--full", "--out", folder.path()};
+    QCOMPARE(run(command, 5 * minute).status, 0);
+    const auto found = tableIn(QString::fromUtf8(contentOf(folder.filePath("report.md"))), "layout | least spacing mm");
+    QCOMPARE(found.size(), rows.size() + 1); // and the reference
+    for (qsizetype i = 0; i < rows.size(); ++i) {
+        // written: layout, spacing, particles, CPU s, rms, largest
+        // made: layout, spacing, particles, springs, KiB, CPU s, median, rms, largest, strain, energy, at rest
+        const QStringList written = QStringList(rows[i]).replaceInStrings("**", ""), &made = found[i];
+        const QByteArray name = written[0].toUtf8();
+        QCOMPARE(written.first(3), made.first(3));
+        for (const auto& [page, report] : {std::pair{4, 7}, {5, 8}}) {
+            const double said = written[page].toDouble(), seen = made[report].toDouble();
+            QVERIFY2(std::abs(seen - said) <= 0.05 * said, name + ": " + made[report].toUtf8()); // of two digits
+        }
+    }
+}
+
+void tst_DocumentedFigures::positionBasedStepsAreAsFarOffAsThePageSays() {
+    static const QRegularExpression said(
+        R"(it is (\S+) mm off at the smallest step tried, 0\.3 ms, .*wrong by centimetres\*\*: (\d+) to (\d+) mm)",
+        QRegularExpression::DotMatchesEverythingOption);
+    const auto figures = said.match(page("accuracy.md"));
+    QVERIFY(figures.hasMatch());
+    const QTemporaryDir folder;
+    const Finished finished = run({"study", "accuracy", "two-corners", "--quick", "--out", folder.path()}, 5 * minute);
+    QCOMPARE(finished.status, 0);
+    const QString report = QString::fromUtf8(contentOf(folder.filePath("report.md")));
+    const auto rows =
+        tableIn(report.section("## two-corners, 16 × 16 cells, 5000 N/m", 1), "method | step ms | error mm");
+    QStringList errors; // from the longest step to the shortest
+    for (const QStringList& row : rows)
+        if (row[0] == "xpbd") errors << row[2];
+    QCOMPARE(errors.size(), 4);
+    QCOMPARE(QString::number(errors[3].toDouble(), 'f', 1), figures.captured(1));
+    QCOMPARE(QString::number(errors[2].toDouble(), 'f', 0), figures.captured(2));
+    QCOMPARE(QString::number(errors[0].toDouble(), 'f', 0), figures.captured(3));
 }
 
 QTEST_GUILESS_MAIN(tst_DocumentedFigures)
