@@ -33,7 +33,7 @@ int substepsOf(const Scene& scene) {
 }
 
 Feature coarseLevels() {
-    constexpr int wanted = 99; // of the strip without levels
+    constexpr int wanted = 99;           // of the strip without levels
     const Scene sheet = heldSheet(0.02); // on a finer mesh its substeps would not suffice
     return {"coarse levels",
             "coarse levels",
