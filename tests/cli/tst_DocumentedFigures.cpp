@@ -40,6 +40,7 @@ class tst_DocumentedFigures : public QObject {
     Q_OBJECT
 private slots:
     void samplesHaveTheRectanglesThatThePageSays();
+    void theBackThatIsTimedHasTheMeshThatThePageSays();
     void regionsSaveWhatThePageSays();
     void rulesMeshTheBackAsThePageSays();
     void regionsOverTheRodAreAsNearAsThePageSays();
@@ -59,6 +60,38 @@ void tst_DocumentedFigures::samplesHaveTheRectanglesThatThePageSays() {
             elements += found.elements;
         }
         QCOMPARE(percent(rectangles / elements), rows[4][column]);
+    }
+}
+
+/// What `./dev bench` meshes is what this command does.
+void tst_DocumentedFigures::theBackThatIsTimedHasTheMeshThatThePageSays() {
+    const QString text = page("meshing.md");
+    static const QRegularExpression ofTheStrip(R"(rims, ([\d ]+) at 5 mm .* were all of them paired, (\S+), (\S+) and )"
+                                               R"((\S+) % would be rectangles)",
+                                               QRegularExpression::DotMatchesEverythingOption);
+    const auto strip = ofTheStrip.match(text);
+    QVERIFY(strip.hasMatch());
+    const auto rows = tableIn(text, "spacing | cells | rectangles | least angle | warm");
+    QCOMPARE(rows.size(), 6);
+    for (const QStringList& row : rows.first(5)) { // the sixth takes gigabytes
+        const QTemporaryDir folder;
+        const QString report = folder.filePath("mesh.json"), spacing = row[0].section(' ', 0, 0);
+        const Finished finished = run({"mesh", sample("blouse.toile"), "--piece", "Back", "--no-regions", "--spacing",
+                                       spacing, "--report", report});
+        QCOMPARE(finished.status, 0);
+        const Json json = jsonOf(contentOf(report));
+        const auto number = [&](const char* key) { return *json.find("total")->find(key)->asNumber(); };
+        const double quads = number("quads"), triangles = number("triangles"), rectangles = number("rectangles");
+        QCOMPARE(QString(row[1]).remove(' ').toDouble(), quads + triangles);
+        QCOMPARE(percent(number("rectangleFraction")), row[2]);
+        QCOMPARE(QString::number(number("minimumAngleDegrees"), 'f', 1) + "°", row[3]);
+        const QString paired = QString::number(100 * rectangles / (quads + 0.5 * triangles), 'f', 1);
+        if (spacing == "5") {
+            QCOMPARE(strip.captured(1).remove(' ').toDouble(), 2 * (quads - rectangles) + triangles);
+            QCOMPARE(strip.captured(2), paired);
+        }
+        if (spacing == "2") QCOMPARE(strip.captured(3), paired);
+        if (spacing == "1") QCOMPARE(strip.captured(4), paired);
     }
 }
 
