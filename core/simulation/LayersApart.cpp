@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <tuple>
 
 namespace toile::simulation {
 namespace {
@@ -73,6 +74,17 @@ std::optional<double> heightOver(const collision::BodySurface& surface, const Ve
     return height;
 }
 
+/// Where the piece has nodes in common with a surface: there cloth goes over into other cloth, and may fold either way.
+std::vector<Vec3> whereSewnTo(const collision::BodySurface& surface, const Piece& piece) {
+    const auto isLess = [](const Vec3& a, const Vec3& b) {
+        return std::tuple(a.x, a.y, a.z) < std::tuple(b.x, b.y, b.z);
+    };
+    const std::set<Vec3, decltype(isLess)> other(surface.mesh().vertices.begin(), surface.mesh().vertices.end());
+    std::vector<Vec3> common;
+    std::ranges::copy_if(piece.positions, std::back_inserter(common), [&](const Vec3& p) { return other.contains(p); });
+    return common;
+}
+
 bool isOutside(const Piece& piece, const collision::BodySurface& below) {
     constexpr double clearance = 0.005, reach = 0.06; // [m]
     const std::vector<Vec3> normals = normalsOf(piece);
@@ -132,10 +144,12 @@ int nodesInWrongOrder(const pattern::Pattern& pattern, const meshing::GarmentMes
         if (!below) continue;
         for (const Piece& piece : pieces) {
             if (piece.layer != layer) continue;
-            const std::vector<Vec3> normals = normalsOf(piece);
+            const std::vector<Vec3> normals = normalsOf(piece), seams = whereSewnTo(*below, piece);
             for (std::size_t node = 0; node < normals.size(); ++node) {
-                const auto height = heightOver(*below, piece.positions[node], normals[node], reach);
-                wrong += height && *height < 0;
+                const Vec3& at = piece.positions[node];
+                const auto height = heightOver(*below, at, normals[node], reach);
+                const auto isNear = [&](const Vec3& seam) { return geometry::distance(seam, at) < reach; };
+                wrong += height && *height < 0 && std::ranges::none_of(seams, isNear);
             }
         }
     }

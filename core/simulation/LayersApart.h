@@ -13,8 +13,8 @@ namespace toile::simulation {
 /// nothing, and patterns of one layer, stay as they are.
 [[nodiscard]] pattern::Pattern layersApart(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh);
 
-/// How many nodes lie behind a piece of a lower layer that is within 20 mm of them, on its wrong side. nodes: positions
-/// as the topology numbers them [m].
+/// How many nodes lie behind a piece of a lower layer that is within 20 mm of them, on its wrong side; not
+/// those within 20 mm of a seam that joins the two. nodes: positions as the topology numbers them [m].
 [[nodiscard]] int nodesInWrongOrder(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh,
                                     std::span<const Vec3> nodes);
 

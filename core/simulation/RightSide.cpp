@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/RightSide.h"
 
+#include "core/collision/BodySurface.h"
 #include "core/collision/WindingNumber.h"
 #include "core/simulation/Openings.h"
 
@@ -68,10 +69,36 @@ Vec3 areaOf(const std::vector<Vec3>& loop) {
     return 0.5 * doubled;
 }
 
-/// Where the cloth would end if it went on narrowing beyond an opening: so far away that the cone hardly leans, for the
-/// rim of a hem lies in folds, and a cone that leans would pass through them.
-Vec3 apexOver(const std::vector<Vec3>& loop, const Vec3& middleOfCloth) {
-    constexpr double slenderness = 4; // of the cone over a round opening, height to radius [–]
+/// Along the limb that passes by most closely, if that is the way out of the opening; else straight out of it.
+Vec3 wayOutOf(const Vec3& middle, const Vec3& straight, const std::vector<std::vector<Vec3>>& limbs) {
+    constexpr double near = 0.05, steepest = 0.7; // [m]; cosine of the angle between both
+    Vec3 way = straight;
+    double least = near;
+    for (const std::vector<Vec3>& line : limbs)
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+            const Vec3 along = line[i + 1] - line[i];
+            if (length(along) == 0) continue;
+            const double part = std::clamp(dot(middle - line[i], along) / dot(along, along), 0.0, 1.0);
+            const double far = geometry::distance(middle, line[i] + part * along);
+            const Vec3 out = normalized(along) * (dot(along, straight) < 0 ? -1.0 : 1.0);
+            if (far >= least || dot(out, straight) < steepest) continue;
+            least = far;
+            way = out;
+        }
+    return way;
+}
+
+/// How the cloth goes on beyond an opening in thought: straight on from the rim, then narrowing to a point so far away
+/// that it hardly leans. The rim of a hem lies in folds, a collar is turned down over its stand, and what leans would
+/// pass through them.
+struct Closing {
+    Vec3 rise; ///< from the rim to where it begins to narrow
+    Vec3 apex;
+};
+
+Closing closingOver(const std::vector<Vec3>& loop, const Vec3& middleOfCloth,
+                    const std::vector<std::vector<Vec3>>& limbs) {
+    constexpr double straightOn = 1, slenderness = 4; // heights over a round opening, to its radius [–]
     Vec3 middle;
     double perimeter = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -79,25 +106,36 @@ Vec3 apexOver(const std::vector<Vec3>& loop, const Vec3& middleOfCloth) {
         perimeter += geometry::distance(loop[i], loop[(i + 1) % loop.size()]);
     }
     const Vec3 area = areaOf(loop);
-    if (length(area) == 0) return middle;
-    const Vec3 outward = normalized(area) * (dot(area, middle - middleOfCloth) < 0 ? -1.0 : 1.0);
-    return middle + outward * (slenderness * perimeter / (2 * std::numbers::pi));
+    if (length(area) == 0) return {{}, middle};
+    const Vec3 straight = normalized(area) * (dot(area, middle - middleOfCloth) < 0 ? -1.0 : 1.0);
+    const Vec3 radius = wayOutOf(middle, straight, limbs) * (perimeter / (2 * std::numbers::pi));
+    return {straightOn * radius, middle + (straightOn + slenderness) * radius};
 }
 
-/// The part with a cone over each of its openings behind its own triangles.
-TriangleMesh closed(const ClothPart& part, const std::vector<Vec3>& positions) {
+void close(TriangleMesh& mesh, const Opening& opening, const Vec3& middleOfCloth,
+           const std::vector<std::vector<Vec3>>& limbs) {
+    std::vector<Vec3> loop;
+    for (const int particle : opening) loop.push_back(mesh.vertices[particle]);
+    const auto [rise, apex] = closingOver(loop, middleOfCloth, limbs);
+    const int raised = static_cast<int>(mesh.vertices.size()), count = static_cast<int>(loop.size());
+    for (const Vec3& at : loop) mesh.vertices.push_back(at + rise);
+    mesh.vertices.push_back(apex);
+    for (int i = 0; i < count; ++i) {
+        const int next = (i + 1) % count;
+        mesh.triangles.push_back({opening[next], opening[i], raised + i});
+        mesh.triangles.push_back({opening[next], raised + i, raised + next});
+        mesh.triangles.push_back({raised + next, raised + i, raised + count});
+    }
+}
+
+/// The part with each of its openings closed, behind its own triangles.
+TriangleMesh closed(const ClothPart& part, const std::vector<Vec3>& positions,
+                    const std::vector<std::vector<Vec3>>& limbs) {
     TriangleMesh mesh{positions, part};
     Vec3 middle;
     for (const auto& triangle : part)
         for (const int corner : triangle) middle += positions[corner] / (3.0 * static_cast<double>(part.size()));
-    for (const Opening& opening : openingsOf(part)) {
-        std::vector<Vec3> loop;
-        for (const int particle : opening) loop.push_back(positions[particle]);
-        const int apex = static_cast<int>(mesh.vertices.size());
-        mesh.vertices.push_back(apexOver(loop, middle));
-        for (std::size_t i = 0; i < opening.size(); ++i)
-            mesh.triangles.push_back({opening[(i + 1) % opening.size()], opening[i], apex});
-    }
+    for (const Opening& opening : openingsOf(part)) close(mesh, opening, middle, limbs);
     return mesh;
 }
 
@@ -129,15 +167,22 @@ std::vector<bool> turnedAgainstFirst(const ClothPart& part) {
     return turned;
 }
 
-double rightSideOutShare(std::span<const TriangleIndices> triangles, const std::vector<Vec3>& positions) {
+double rightSideOutShare(std::span<const TriangleIndices> triangles, const std::vector<Vec3>& positions,
+                         const Surroundings& around) {
+    constexpr double overlap = 0.02; // cloth lies so near a placket where it is buttoned [m]
+    const auto plackets = collision::BodySurface::create({positions, around.plackets}); // refuses to be made of nothing
+    const auto liesDouble = [&](const TriangleIndices& t) {
+        return plackets && plackets->nearest((positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3, overlap);
+    };
     double whole = 0, right = 0;
     for (const ClothPart& part : partsOf(triangles)) {
         const std::vector<bool> turned = turnedAgainstFirst(part);
         ClothPart alike = part;
         for (std::size_t t = 0; t < part.size(); ++t)
             if (turned[t]) std::swap(alike[t][1], alike[t][2]);
-        const collision::WindingNumber winding(closed(alike, positions));
+        const collision::WindingNumber winding(closed(alike, positions, around.limbs));
         for (std::size_t t = 0; t < part.size(); ++t) {
+            if (liesDouble(part[t])) continue;
             const double area = areaOf(part[t], positions);
             whole += area;
             const long before = std::lround(winding.onTriangle(static_cast<int>(t)) - 0.5); // and behind one more

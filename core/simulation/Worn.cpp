@@ -49,6 +49,14 @@ std::vector<NamedAxis> axesOf(const body::Body& body) {
     return axes;
 }
 
+Surroundings surroundingsOf(const Drape& drape, const body::Body& body) {
+    Surroundings around;
+    for (std::size_t t = 0; t < drape.piece.size(); ++t)
+        if (drape.piece[t] == Drape::noPiece) around.plackets.push_back(drape.triangles[t]);
+    for (NamedAxis& axis : axesOf(body)) around.limbs.push_back(std::move(axis.points));
+    return around;
+}
+
 /// +1 along the triangle's normal, −1 against it, 0 where the segment passes by.
 int crossing(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 direction = q - p;
@@ -245,7 +253,7 @@ WornReport wornReport(const Drape& drape, const body::Body& body, const collisio
     if (report.turnedLength > 0)
         report.why.push_back(
             fmt::format("Right side is sewn to wrong side along {:.0f} mm.", 1000 * report.turnedLength));
-    report.rightSideOut = rightSideOutShare(drape.triangles, drape.positions);
+    report.rightSideOut = rightSideOutShare(drape.triangles, drape.positions, surroundingsOf(drape, body));
     if (report.rightSideOut < settings.rightSideShare)
         report.why.push_back(
             fmt::format("Only {:.1f} % of the cloth has its right side out.", 100 * report.rightSideOut));

@@ -96,6 +96,7 @@ private slots:
     void aCurledPieceIsWidenedAboutItsMiddle();
     void layersLieOneOverTheOther();
     void nodesInWrongOrderAreCounted();
+    void besideASeamThereIsNoOrder();
     void bandsEndInTheirOrder_data();
     void bandsEndInTheirOrder();
 };
@@ -168,6 +169,18 @@ void tst_LayersApart::nodesInWrongOrderAreCounted() {
     QCOMPARE(nodesInWrongOrder(apart, mesh, placedNodes(apart, mesh)), 0);
     const Scene alike = twoPanels(0, 0.1, 0, 0.09);
     QCOMPARE(nodesInWrongOrder(alike.pattern, mesh, placedNodes(alike.pattern, mesh)), 0);
+}
+
+void tst_LayersApart::besideASeamThereIsNoOrder() {
+    const Scene scene = twoPanels(0, 0.1, 1, 0.09);
+    const meshing::GarmentMesh mesh = meshOf(scene.pattern);
+    std::vector<Vec3> nodes = placedNodes(scene.pattern, mesh);
+    const std::span<Vec3> second = std::span(nodes).subspan(mesh.pieces[0].nodes.size());
+    const Vec3 seam = second.front() = nodes.front();
+    second[1] = seam + Vec3{0.01, 0.01, -0.01}; // behind the first panel
+    const auto far = std::ranges::count_if(second, [&](const Vec3& p) { return geometry::distance(p, seam) >= 0.02; });
+    QCOMPARE(far, std::ssize(second) - 2);
+    QCOMPARE(nodesInWrongOrder(scene.pattern, mesh, nodes), static_cast<int>(far));
 }
 
 void tst_LayersApart::bandsEndInTheirOrder_data() {

@@ -107,6 +107,7 @@ private slots:
     void aTubeAndOneInsideOut();
     void foldsHoweverDeepAreRightSideOut();
     void aPleatRoundTheTubeIsRightSideOut();
+    void aCollarTurnedDownIsRightSideOut();
     void aPanelSewnInTurnedIsItsShare();
     void aPieceDrawnThroughOthersIsFound();
     void theRefereeAgrees_data();
@@ -139,6 +140,19 @@ void tst_RightSide::aPleatRoundTheTubeIsRightSideOut() {
         tubes::throughRings({at(0.5, 0.15), at(0.8, 0.15), at(0.6, 0.14), at(0.6, 0.13), at(1, 0.13)});
     QVERIFY(shareFacingAway(mesh) < 0.8);
     QCOMPARE(shareOf(mesh), 1.0);
+}
+
+/// Its right side lies on that of its stand.
+void tst_RightSide::aCollarTurnedDownIsRightSideOut() {
+    constexpr double top = 1.0, radius = 0.07;
+    std::vector<std::vector<Vec3>> rings;
+    for (int r = 0; r <= 8; ++r) rings.push_back(tubes::ring({0, 0.6 + (top - 0.6) * r / 8, 0}, radius, around));
+    for (int r = 1; r <= 5; ++r)
+        rings.push_back(tubes::ring({0, top - 0.01 * r, 0}, radius + 0.003 + 0.001 * r, around));
+    TriangleMesh mesh = tubes::throughRings(rings);
+    QCOMPARE(shareOf(mesh), 1.0);
+    turnOver(mesh, 0, mesh.triangles.size());
+    QCOMPARE(shareOf(mesh), 0.0);
 }
 
 void tst_RightSide::aPanelSewnInTurnedIsItsShare() {
