@@ -31,7 +31,7 @@ Result<std::vector<NamedDocument>> sampleDocuments(const Wearers& wearers) {
         if (!*drafted) return tl::unexpected(drafted->error());
     std::vector<NamedDocument> samples{
         {"blouse", std::move(*upper)},
-        {"band-collar-shirt", std::move(*buttoned)},
+        {"shirt", std::move(*buttoned)},
         {"t-shirt", std::move(*knitted)},
         {"circle-skirt", circleSkirt(m, body)},
         {"trousers", std::move(*legs)},

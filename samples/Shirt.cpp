@@ -146,6 +146,20 @@ std::vector<Tack> buttons(const Torso& torso, const CollarStand& stand, const Sh
     return row;
 }
 
+/// The level at which a stand's top starts.
+double standTop(const CollarStand& stand) {
+    const Vec2 corner = vertexPosition(stand.left, vertexId("stand-left", "back-top"));
+    return stand.left.placement->transform.origin.y + corner.y;
+}
+
+void sewOn(Pattern& pattern, const Piece& collar, const CollarStand& stand, const FoldedCollarSettings& s) {
+    Seam turned = seam("collar", {along(collar, "neck")}, {against(stand.left, "top"), along(stand.right, "top")});
+    turned.foldAngle = s.foldAngle;
+    turned.order = 1;
+    pattern.pieces.push_back(collar);
+    pattern.seams.push_back(turned);
+}
+
 } // namespace
 
 Result<document::Document> shirt(const body::Measurements& m, const body::Body& body, const ShirtSettings& s) {
@@ -193,6 +207,7 @@ Result<document::Document> shirt(const body::Measurements& m, const body::Body& 
     sewn({"left", torso.frontLeft, sleeve, cuff, stand.left, leftOf(torso.back), leftOf(torso.yoke)});
     sewn({"right", torso.frontRight, sleeveRight, cuffRight, stand.right, rightOf(torso.back), rightOf(torso.yoke)});
     pattern.seams.push_back(collarStandSeam(stand));
+    sewOn(pattern, draftFoldedCollar(fabric, body, 2 * neckline, standTop(stand), s.collar), stand, s.collar);
     pattern.tacks = buttons(torso, stand, s);
     document.scene.skinOffset = 0.0035; // as the blouse's
     document.scene.selfContact = true;

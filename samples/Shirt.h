@@ -3,16 +3,18 @@
 
 #include "samples/CollarStand.h"
 #include "samples/Cuff.h"
+#include "samples/FoldedCollar.h"
 #include "samples/UpperBlock.h"
 
 #include "core/document/Document.h"
 
 namespace toile::samples {
 
-/// A shirt of poplin with a band collar, buttoned right over left: two fronts with a bust dart and a button stand each,
-/// a back with a yoke, seven-eighths sleeves with cuffs, a collar stand. Stand and cuffs are interfaced. Lengths [m].
+/// A shirt of poplin, buttoned right over left: two fronts with a bust dart and a button stand each, a back with a
+/// yoke, seven-eighths sleeves with cuffs, a collar folded over its stand. Collar, stand and cuffs are interfaced.
+/// Lengths [m].
 struct ShirtSettings {
-    double spacing = 0.02; ///< ε_m of every piece but the stand
+    double spacing = 0.02; ///< ε_m of every piece but stand and collar
     UpperBlockSettings block{.bustEase = 0.12,
                              .hipEase = 0.10,
                              .waistSuppression = 0.010,
@@ -29,10 +31,11 @@ struct ShirtSettings {
     double frontCapEase = 0.004, backCapEase = 0.0045;
     double cuffEase = 0.10, aboveWrist = 0.13, cuffWidth = 0.05;
     CollarStandSettings stand;
+    FoldedCollarSettings collar;
 };
 
 /// Pieces: front-left, front-right, back, yoke, sleeve-left, sleeve-right, cuff-left, cuff-right, stand-left,
-/// stand-right. Error: a measure that no value settles.
+/// stand-right, collar. Error: a measure that no value settles.
 [[nodiscard]] Result<document::Document> shirt(const body::Measurements& measurements, const body::Body& body,
                                                const ShirtSettings& settings = {});
 

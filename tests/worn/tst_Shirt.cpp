@@ -2,8 +2,11 @@
 #include "WornScenes.h"
 #include "samples/Shirt.h"
 
+#include <set>
+
 using namespace toile;
 using namespace toile::simulation;
+using geometry::distance;
 
 namespace {
 
@@ -19,16 +22,68 @@ Vec3 rightSideAt(const MeshPoint& point, const Simulation& simulation) {
     return cross(at(1) - at(0), at(2) - at(0)) * (turn > 0 ? 1.0 : -1.0);
 }
 
+int pieceCalled(const std::string& id, const Simulation& simulation) {
+    const auto& pieces = simulation.scene().pattern.pieces;
+    return static_cast<int>(std::ranges::find(pieces, id, [](const auto& p) { return p->id.value; }) - pieces.begin());
+}
+
+std::set<int> particlesOf(int piece, const Simulation& simulation) {
+    std::set<int> particles;
+    for (int node = 0; node < std::ssize(simulation.garment().mesh->pieces[piece].nodes); ++node)
+        particles.insert(simulation.garment().particles.particle({piece, node}));
+    return particles;
+}
+
+/// How a collar lies that is folded over its stand, away from the fold.
+struct FoldedOver {
+    double leastDrop = 1;   ///< below the fold, to the way to it in the flat [–]
+    double meanOutside = 0; ///< how much farther from the middle of the neck than the fold, level [m]
+    std::ptrdiff_t nodes = 0;
+};
+
+FoldedOver foldedOver(const Simulation& simulation) {
+    constexpr double beside = 0.015; // [m]
+    const int collar = pieceCalled("collar", simulation);
+    const Garment& garment = simulation.garment();
+    const std::vector<Vec3>& x = simulation.state().positions;
+    std::set<int> stand = particlesOf(pieceCalled("stand-left", simulation), simulation);
+    stand.merge(particlesOf(pieceCalled("stand-right", simulation), simulation));
+    const std::vector<Vec2>& flat = garment.mesh->pieces[collar].nodes;
+    const auto particle = [&](std::size_t node) {
+        return garment.particles.particle({collar, static_cast<int>(node)});
+    };
+    Vec3 middle;
+    for (const int p : stand) middle += x[p] / static_cast<double>(stand.size());
+    const auto fromMiddle = [&](const Vec3& p) { return std::hypot(p.x - middle.x, p.z - middle.z); };
+    FoldedOver lies;
+    for (std::size_t node = 0; node < flat.size(); ++node) {
+        double way = 1;
+        int fold = -1;
+        for (std::size_t other = 0; other < flat.size(); ++other)
+            if (const double far = distance(flat[node], flat[other]); stand.contains(particle(other)) && far < way) {
+                way = far;
+                fold = particle(other);
+            }
+        if (way < beside) continue;
+        const Vec3& at = x[particle(node)];
+        ++lies.nodes;
+        lies.leastDrop = std::min(lies.leastDrop, (x[fold].y - at.y) / way);
+        lies.meanOutside += fromMiddle(at) - fromMiddle(x[fold]);
+    }
+    lies.meanOutside /= static_cast<double>(lies.nodes);
+    return lies;
+}
+
 } // namespace
 
 /// Fronts that lie one over the other and are buttoned: the sample shirt, from where its pieces are placed.
 class tst_Shirt : public QObject {
     Q_OBJECT
 private slots:
-    void isWornWithRightOverLeft();
+    void isWornWithRightOverLeftAndItsCollarTurnedDown();
 };
 
-void tst_Shirt::isWornWithRightOverLeft() {
+void tst_Shirt::isWornWithRightOverLeftAndItsCollarTurnedDown() {
     const auto document = samples::shirt(blouseWearer().measurements, blouseWearer().body);
     QVERIFY(document);
     Simulation simulation = simulationOf({document->pattern, Shared<body::Body>(blouseWearer().body), document->scene});
@@ -40,6 +95,11 @@ void tst_Shirt::isWornWithRightOverLeft() {
     QCOMPARE(report.contact.bodyIntersections, 0);
     QCOMPARE(report.contact.nodesInWrongOrder, 0);
     QVERIFY(report.contact.guarantee);
+
+    const FoldedOver collar = foldedOver(simulation);
+    QVERIFY(collar.nodes > 50);
+    QVERIFY(collar.leastDrop > 0.3);
+    QVERIFY(collar.meanOutside > 0.005);
 
     QCOMPARE(simulation.tacks().size(), std::size_t(6));
     for (const TackState& button : simulation.tacks()) { // sewn to the left front, which lies behind the right one
