@@ -17,13 +17,13 @@ geometry::Box2 extent(const pattern::Piece& piece) {
 } // namespace
 
 pattern::Pattern laidOut(pattern::Pattern pattern, double rowWidth) {
-    constexpr double gap = 0.05; // [m]
+    constexpr double gap = 0.05, rowGap = 0.10; // [m]; a piece's name stands below it
     double left = 0, top = 0, lowest = 0;
     for (Shared<pattern::Piece>& shared : pattern.pieces) {
         const auto [low, high] = extent(resolved(pattern, *shared));
         if (left > 0 && left + high.x - low.x > rowWidth) {
             left = 0;
-            top = lowest - gap;
+            top = lowest - rowGap;
         }
         pattern::Piece piece = *shared;
         // Whole millimetres: nobody aligns pieces on a table more finely.
