@@ -17,6 +17,7 @@ private slots:
     void aBoxThatIsNoneIsSaid();
     void casesAreRunByTheirNumbers();
     void extremesAreRunByTheirNumbers();
+    void theMapOfStiffnessIsDrawn();
     void partsOfAStepAreRunByTheirNames();
     void instructionsAreCountedOrTheReasonIsSaid();
     void scenesStandBesideTheirGoals();
@@ -141,6 +142,15 @@ void tst_StudyCommand::extremesAreRunByTheirNumbers() {
         QVERIFY(missingKeys(jsonOf(line), {"schema", "program", "machine", "case", "verdict"}).isEmpty());
     QVERIFY(contentOf(out + "/report.md").contains("Particle 1 has no mass."));
     QCOMPARE(run({"study", "stability", "--only", "S99"}).status, 1);
+}
+
+void tst_StudyCommand::theMapOfStiffnessIsDrawn() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("map");
+    const Finished finished = run({"study", "stability", "--quick", "--only", "S1", "--out", out});
+    QCOMPARE(finished.status, 0);
+    for (const char* picture : {"/stiffness-map.svg", "/stiffness-map.png"})
+        QCOMPARE(contentOf(out + picture).isEmpty(), finished.out.contains("without pictures"));
 }
 
 void tst_StudyCommand::partsOfAStepAreRunByTheirNames() {

@@ -76,29 +76,34 @@ std::string mapScript(const std::vector<MapCell>& cells) {
             fmt::format("mark{}", m), [&](const MapCell& c) { return isOf(c) && !markOf(c).empty(); },
             [](const MapCell& c) { return "\"" + markOf(c) + "\""; });
     }
-    fmt::format_to(out,
-                   "set terminal svg size 1300,{} dynamic background rgb 'white' font 'DejaVu Sans,12'\n"
-                   "set output 'stiffness-map.svg'\n"
-                   "set multiplot layout 2,3 title 'error of the falling flap over its way, by stiffness and step; – "
-                   "refused, × energy grows'\n"
-                   "set palette defined (-5 '#2c7fb8', -3 '#7fcdbb', -2 '#edf8b1', -1 '#fdae61', 0 '#b30000')\n"
-                   "set cbrange [{}:{}]\nset cblabel 'decades of the error'\nunset key\nset xrange [-0.5:{}]\n"
-                   "set yrange [-0.5:{}]\nset xtics out nomirror {} rotate by 45 right\nset ytics out nomirror {}\nset "
-                   "xlabel 'step s'\n"
-                   "set ylabel 'stiffness N/m'\nunset colorbox\n",
-                   2 * (120 + 26 * std::max<std::size_t>(stiffnesses.size(), 6)), bestShown, worstShown,
-                   static_cast<double>(steps.size()) - 0.5, static_cast<double>(stiffnesses.size()) - 0.5,
-                   ticsOf(steps, stepText), ticsOf(stiffnesses, [](double k) { return fmt::format("{:.0e}", k); }));
-    for (std::size_t m = 0; m < methods.size(); ++m) {
-        fmt::format_to(out, "set title '{}'\n{}", methods[m].name, m + 1 == methods.size() ? "set colorbox\n" : "");
-        fmt::format_to(
-            out,
-            "plot $error{0} using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder linecolor palette, \\\n"
-            "  $soft{0} using 1:2:3:4:5:6 with boxxyerror fillstyle transparent pattern 4 noborder linecolor "
-            "rgb '#555555', \\\n  $mark{0} using 1:2:7 with labels font ',9'\n",
-            m);
+    const std::size_t height = 2 * (120 + 26 * std::max<std::size_t>(stiffnesses.size(), 6));
+    const std::string settings = fmt::format(
+        "set palette defined (-5 '#2c7fb8', -3 '#7fcdbb', -2 '#edf8b1', -1 '#fdae61', 0 '#b30000')\n"
+        "set cbrange [{}:{}]\nset cblabel 'decades of the error'\nunset key\nset xrange [-0.5:{}]\n"
+        "set yrange [-0.5:{}]\nset xtics out nomirror {} rotate by 45 right\nset ytics out nomirror {}\nset "
+        "xlabel 'step s'\n"
+        "set ylabel 'stiffness N/m'\nunset colorbox\n",
+        bestShown, worstShown, static_cast<double>(steps.size()) - 0.5, static_cast<double>(stiffnesses.size()) - 0.5,
+        ticsOf(steps, stepText), ticsOf(stiffnesses, [](double k) { return fmt::format("{:.0e}", k); }));
+    for (const auto& [terminal, extension] :
+         {std::pair{"svg size 1300,{} dynamic background rgb 'white' font 'DejaVu Sans,12'", "svg"},
+          std::pair{"pngcairo size 1300,{} font 'DejaVu Sans,12'", "png"}}) {
+        fmt::format_to(out,
+                       "set terminal {}\nset output 'stiffness-map.{}'\n"
+                       "set multiplot layout 2,3 title 'error of the falling flap over its way, by stiffness and step; "
+                       "– refused, × energy grows'\n{}",
+                       fmt::format(fmt::runtime(terminal), height), extension, settings);
+        for (std::size_t m = 0; m < methods.size(); ++m) {
+            fmt::format_to(out, "set title '{}'\n{}", methods[m].name, m + 1 == methods.size() ? "set colorbox\n" : "");
+            fmt::format_to(
+                out,
+                "plot $error{0} using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder linecolor palette, \\\n"
+                "  $soft{0} using 1:2:3:4:5:6 with boxxyerror fillstyle transparent pattern 4 noborder linecolor "
+                "rgb '#555555', \\\n  $mark{0} using 1:2:7 with labels font ',9'\n",
+                m);
+        }
+        text += "unset multiplot\n";
     }
-    text += "unset multiplot\n";
     return text;
 }
 

@@ -39,8 +39,8 @@ struct MapSettings {
 
 [[nodiscard]] std::vector<MapCell> stiffnessMap(const MapSettings& settings);
 
-/// A gnuplot program that draws the map into stiffness-map.svg: a panel a method, coloured by error, hatched where
-/// a cap softened the cloth.
+/// A gnuplot program that draws the map into stiffness-map.svg and .png: a panel a method, coloured by error, hatched
+/// where a cap softened the cloth.
 [[nodiscard]] std::string mapScript(const std::vector<MapCell>& cells);
 
 } // namespace toile::study::stability
