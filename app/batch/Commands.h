@@ -47,6 +47,10 @@ struct SewOptions {
     std::string resume;     ///< checkpoint to go on from; empty = from the start
     std::string checkpoint; ///< written at the end, also of a run that is stopped; empty = none
     std::string frames;     ///< folder or .pc2 for every frame step; empty = none
+    double liftArms = 0;    ///< when the garment is worn [rad]; 0 = not
+    double liftTime = 1;    ///< in which they are lifted [s]
+    std::string motion;     ///< folder of poses of the avatar, gone through when the garment is worn; empty = none
+    double motionStep = 1.0 / 30; ///< from pose to pose [s]
     std::vector<std::string> pictures;
     bool quiet = false;
 };

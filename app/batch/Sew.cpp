@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Sew.h"
+#include "app/batch/BodyMotion.h"
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
 #include "app/batch/Opening.h"
@@ -13,6 +14,7 @@
 #include "core/io/FrameFiles.h"
 #include "core/simulation/Arrange.h"
 #include "core/simulation/Inspect.h"
+#include "core/simulation/Wearing.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -72,16 +74,22 @@ Result<void> judgeStart(OpenedScene& opened, const simulation::Simulation& simul
     return {};
 }
 
-Json reportJson(const SewOptions& options, const OpenedScene& opened, const simulation::SewReport& report) {
+/// What sewing came to, and what followed when the avatar moved.
+struct Outcome {
+    simulation::SewReport sewn;
+    std::optional<simulation::WearingReport> wearing;
+};
+
+Json reportJson(const SewOptions& options, const OpenedScene& opened, const Outcome& outcome) {
     const int threads = Team(options.threads).members();
     Json json;
     json.set("document", options.file).set("avatar", opened.avatar.empty() ? Json() : Json(opened.avatar));
     json.set("method", options.paper ? "paper" : options.method)
         .set("step", opened.scene.settings.frameStep)
         .set("threads", threads);
-    const Json result = simulation::toJson(report);
+    const Json result = simulation::toJson(outcome.sewn);
     for (const auto& [key, value] : *result.asObject()) json.set(key, value);
-    return json;
+    return json.set("motion", outcome.wearing ? simulation::toJson(*outcome.wearing) : Json());
 }
 
 /// "sewing by xpbd, draping by trbdf2"
@@ -122,34 +130,66 @@ void printSummary(const simulation::SewReport& report, const SewOptions& options
     for (const Warning& warning : report.warnings) fmt::print(stderr, "{}: {}\n", warning.place, warning.text);
 }
 
+void printWearing(const simulation::WearingReport& wearing) {
+    const simulation::ContactSummary& contact = wearing.contact;
+    fmt::print("the body moved for {:.2f} s, at {:.1f} m/s at most: ", wearing.seconds, wearing.bodySpeed);
+    if (contact.bodyClearanceMinimum)
+        fmt::print("{:.1f} mm from it at the nearest, ", 1000 * *contact.bodyClearanceMinimum);
+    fmt::print("{} intersections with it, {} of the cloth with itself; the hem rose by {:.0f} mm; {}{}\n",
+               contact.bodyIntersections, contact.selfIntersections, 1000 * wearing.hemRise, wearing.after.ending,
+               wearing.after.residual ? fmt::format(", residual {:.1e}", *wearing.after.residual) : "");
+}
+
+/// The scene's body as it stands at the end.
+std::optional<Shared<body::Body>> bodyAtEnd(const OpenedScene& opened, const simulation::Simulation& simulation) {
+    return simulation.movedBody() ? simulation.movedBody() : opened.scene.body;
+}
+
 Result<void> writeResults(const SewOptions& options, const OpenedScene& opened,
-                          const simulation::Simulation& simulation, const simulation::SewReport& report) {
+                          const simulation::Simulation& simulation, const Outcome& outcome) {
     const simulation::Frame frame = simulation.frame();
     if (!options.out.empty())
         if (auto written = io::writeDrape(options.out, *frame.topology, frame.positions); !written) return written;
     if (!options.pictures.empty())
-        if (auto written = writePictures(options.pictures, frame, opened.scene.body); !written) return written;
+        if (auto written = writePictures(options.pictures, frame, bodyAtEnd(opened, simulation)); !written)
+            return written;
     if (!options.report.empty())
-        return writeFileAtomically(options.report, toText(reportJson(options, opened, report)));
+        return writeFileAtomically(options.report, toText(reportJson(options, opened, outcome)));
     return {};
 }
 
-/// Sews, and keeps the start and every frame step if that is wanted.
-Result<simulation::SewReport> sewn(const SewOptions& options, const simulation::SewSettings& settings,
-                                   simulation::Simulation& simulation, std::stop_token stop) {
+/// Sews, and moves the avatar if that is wanted.
+Result<Outcome> sewn(const SewOptions& options, const OpenedScene& opened, const simulation::SewSettings& settings,
+                     simulation::Simulation& simulation, std::stop_token stop,
+                     const simulation::FrameObserver& observer) {
     ProgressBar bar(options.quiet);
-    if (options.frames.empty()) return simulation::sew(simulation, settings, stop, bar.progress());
+    const auto motion = bodyMotionOf(options, opened);
+    if (!motion) return tl::unexpected(motion.error());
+    auto report = simulation::sew(simulation, settings, stop, bar.progress(), observer);
+    if (!report) return tl::unexpected(report.error());
+    Outcome outcome{std::move(*report), std::nullopt};
+    if (!*motion) return outcome;
+    auto wearing = simulation::wear(simulation, *motion, settings, stop, bar.progress(), observer);
+    if (!wearing) return tl::unexpected(wearing.error());
+    outcome.wearing = std::move(*wearing);
+    return outcome;
+}
 
+/// The same, and keeps the start and every frame step if that is wanted.
+Result<Outcome> sewnAndKept(const SewOptions& options, const OpenedScene& opened,
+                            const simulation::SewSettings& settings, simulation::Simulation& simulation,
+                            std::stop_token stop) {
+    if (options.frames.empty()) return sewn(options, opened, settings, simulation, stop, {});
     const simulation::Frame start = simulation.frame();
     auto files = io::FrameFiles::create(options.frames, start.topology);
     if (!files) return tl::unexpected(files.error());
     Result<void> kept = (*files)->add(start.positions);
-    auto report = simulation::sew(simulation, settings, stop, bar.progress(), [&](const simulation::Simulation& now) {
+    auto outcome = sewn(options, opened, settings, simulation, stop, [&](const simulation::Simulation& now) {
         if (kept) kept = (*files)->add(now.nodePositions());
     });
-    if (report && kept) kept = (*files)->finish();
+    if (outcome && kept) kept = (*files)->finish();
     if (!kept) return tl::unexpected(kept.error());
-    return report;
+    return outcome;
 }
 
 /// From the start, or from where another run has stopped.
@@ -200,14 +240,17 @@ int sew(const SewOptions& options, std::stop_token stop) {
     if (!simulation) return refuse(simulation.error());
 
     simulation::SewSettings settings{.seconds = options.seconds, .limit = options.limit, .hold = options.hold};
-    auto report = sewn(options, settings, *simulation, stop);
+    auto outcome = sewnAndKept(options, *opened, settings, *simulation, stop);
     if (const auto kept = keep(options.checkpoint, *simulation); !kept) return refuse(kept.error());
-    if (!report) return refuse(report.error());
-    report->warnings.insert(report->warnings.begin(), opened->warnings.begin(), opened->warnings.end());
-    printSummary(*report, options);
-    if (const auto written = writeResults(options, *opened, *simulation, *report); !written)
+    if (!outcome) return refuse(outcome.error());
+    simulation::SewReport& report = outcome->sewn;
+    report.warnings.insert(report.warnings.begin(), opened->warnings.begin(), opened->warnings.end());
+    printSummary(report, options);
+    if (outcome->wearing) printWearing(*outcome->wearing);
+    if (const auto written = writeResults(options, *opened, *simulation, *outcome); !written)
         return refuse(written.error());
-    return report->reachedItsGoal(settings) ? done : goalMissed;
+    const bool wornWell = !outcome->wearing || outcome->wearing->reachedItsGoal();
+    return report.reachedItsGoal(settings) && wornWell ? done : goalMissed;
 }
 
 } // namespace toile::batch

@@ -121,9 +121,30 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
                 !text.empty() && text.size() < 5 && text.find_first_not_of("0123456789") == std::string::npos;
             return text == "auto" || (number && std::stoi(text) > 0) ? "" : "a positive number or auto";
         });
-    command->add_option("--checkpoint", options->checkpoint,
-                        "write where the simulation stands at the end, also when it is stopped by Ctrl+C");
+    auto* checkpoint =
+        command->add_option("--checkpoint", options->checkpoint,
+                            "write where the simulation stands at the end, also when it is stopped by Ctrl+C");
     command->add_option("--resume", options->resume, "go on from a checkpoint of the same garment, body and options");
+    auto* lift = command
+                     ->add_option_function<double>(
+                         "--lift-arms",
+                         [options](const double& degrees) { options->liftArms = degrees * std::numbers::pi / 180; },
+                         "when the garment is worn, lift the avatar's arms sideways by so much [degrees]")
+                     ->check(CLI::Range(-180.0, 180.0))
+                     ->excludes(checkpoint); // it knows the avatar as it stood
+    command->add_option("--lift-time", options->liftTime, "in so many seconds")
+        ->needs(lift)
+        ->check(CLI::Range(0.01, 60.0));
+    auto* motion =
+        command
+            ->add_option("--motion", options->motion,
+                         "when the garment is worn, move the avatar through the poses in this folder: models "
+                         "of it in the order of their names")
+            ->excludes(lift)
+            ->excludes(checkpoint);
+    command->add_option("--motion-step", options->motionStep, "from pose to pose [s]")
+        ->needs(motion)
+        ->check(CLI::Range(1e-4, 10.0));
     command->add_option("--out", options->out, "write the drape: .glb, .obj, .ply or .stl");
     command->add_option("--frames", options->frames,
                         "keep every frame step: a point cache (.pc2), or a folder for .obj files");

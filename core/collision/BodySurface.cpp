@@ -34,7 +34,8 @@ struct BodySurface::Tree {
     geometry::TriangleMesh mesh;
     SurfaceNormals normals;
     NearestTree nearest;
-    std::vector<Vec3> bumps;
+    std::vector<int> bumps;               ///< vertices
+    std::optional<NormalsOnDemand> moved; ///< instead of the normals, once it has moved
 
     explicit Tree(geometry::TriangleMesh given)
         : mesh(std::move(given)), normals(mesh), nearest(mesh, normals), bumps(bumpsOf(mesh, sharp)) {}
@@ -53,8 +54,10 @@ BodySurface::~BodySurface() = default;
 const geometry::TriangleMesh& BodySurface::mesh() const {
     return tree_->mesh;
 }
-const std::vector<Vec3>& BodySurface::bumps() const {
-    return tree_->bumps;
+std::vector<Vec3> BodySurface::bumps() const {
+    std::vector<Vec3> places;
+    for (const int v : tree_->bumps) places.push_back(tree_->mesh.vertices[v]);
+    return places;
 }
 bool BodySurface::isClosed() const {
     return tree_->normals.isClosed();
@@ -63,7 +66,18 @@ bool BodySurface::isClosed() const {
 std::size_t BodySurface::bytes() const {
     const auto& [vertices, triangles] = tree_->mesh;
     return sizeof(Tree) + vertices.capacity() * sizeof(vertices[0]) + triangles.capacity() * sizeof(triangles[0]) +
-           tree_->nearest.bytes() + tree_->normals.bytes();
+           tree_->nearest.bytes() + tree_->normals.bytes() + (tree_->moved ? tree_->moved->bytes() : 0);
+}
+
+void BodySurface::moveTo(std::span<const Vec3> vertices) {
+    expects(vertices.size() == tree_->mesh.vertices.size(), "one place for each vertex");
+    if (!tree_->moved) tree_->moved.emplace(tree_->mesh);
+    std::ranges::copy(vertices, tree_->mesh.vertices.begin());
+    tree_->nearest.moveTo(tree_->mesh);
+}
+
+bool BodySurface::hasMoved() const {
+    return tree_->moved.has_value();
 }
 
 std::optional<SurfacePoint> BodySurface::nearest(const Vec3& point, double searchRadius) const {
@@ -72,7 +86,8 @@ std::optional<SurfacePoint> BodySurface::nearest(const Vec3& point, double searc
 
     const Vec3 away = point - found.nearest.point;
     const double gap = length(away);
-    const Vec3& outward = tree_->normals.at(found.triangle, found.nearest.part);
+    const Vec3 outward = tree_->moved ? tree_->moved->at(tree_->mesh.vertices, found.triangle, found.nearest.part)
+                                      : tree_->normals.at(found.triangle, found.nearest.part);
     const double sign = dot(away, outward) < 0 ? -1 : 1;
     const bool steady = found.nearest.part == TrianglePart::inside || gap < onSurface;
     const Vec3 direction = gap > 0 ? away * (sign / gap) : Vec3{0, 1, 0};

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace toile::collision {
@@ -18,7 +19,8 @@ struct SurfacePoint {
     int triangle = -1;
 };
 
-/// A body to drape on: triangles under a hierarchy of boxes. Immutable; queries may run on many threads.
+/// A body to drape on: triangles under a hierarchy of boxes. Queries may run on many threads. It stands still unless
+/// it is moved (MovingSurface).
 class BodySurface {
 public:
     /// Error when there is no triangle or a number is not finite. An open or non-manifold mesh is accepted:
@@ -31,9 +33,14 @@ public:
 
     [[nodiscard]] const geometry::TriangleMesh& mesh() const;
     [[nodiscard]] bool isClosed() const;
-    /// Where it is sharper than a ball of 25 mm: cloth needs a closer look there.
-    [[nodiscard]] const std::vector<Vec3>& bumps() const;
+    /// Where it is, or was before it moved, sharper than a ball of 25 mm: cloth needs a closer look there.
+    [[nodiscard]] std::vector<Vec3> bumps() const;
     [[nodiscard]] std::size_t bytes() const;
+
+    /// Goes on with its vertices there, while nobody asks. One finite place for each vertex [m].
+    void moveTo(std::span<const Vec3> vertices);
+
+    [[nodiscard]] bool hasMoved() const;
 
     /// Nearest surface point within searchRadius [m] of the point; none if there is no triangle so near.
     [[nodiscard]] std::optional<SurfacePoint> nearest(const Vec3& point, double searchRadius) const;

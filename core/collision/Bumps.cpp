@@ -5,7 +5,7 @@
 
 namespace toile::collision {
 
-std::vector<Vec3> bumpsOf(const geometry::TriangleMesh& mesh, double radius) {
+std::vector<int> bumpsOf(const geometry::TriangleMesh& mesh, double radius) {
     const std::size_t count = mesh.vertices.size();
     std::vector<Vec3> normals(count);
     for (const auto& [a, b, c] : mesh.triangles) {
@@ -25,9 +25,9 @@ std::vector<Vec3> bumpsOf(const geometry::TriangleMesh& mesh, double radius) {
     };
     for (const auto& [a, b, c] : mesh.triangles) // each edge of a closed mesh is seen from both faces alike
         for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) look(from, to);
-    std::vector<Vec3> bumps;
+    std::vector<int> bumps;
     for (std::size_t i = 0; i < count; ++i)
-        if (edges[i] > 0 && curvature[i] / edges[i] > 1 / radius) bumps.push_back(mesh.vertices[i]);
+        if (edges[i] > 0 && curvature[i] / edges[i] > 1 / radius) bumps.push_back(static_cast<int>(i));
     return bumps;
 }
 

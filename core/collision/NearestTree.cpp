@@ -64,6 +64,37 @@ NearestTree::NearestTree(const geometry::TriangleMesh& mesh, const SurfaceNormal
     }
 }
 
+void NearestTree::moveTo(const geometry::TriangleMesh& mesh) {
+    double farthest = 0; // coordinate
+    for (const Vec3& v : mesh.vertices) farthest = std::max({farthest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    const double margin = rounding * farthest;
+    for (Leaf& leaf : leaves_) {
+        const auto& [a, b, c] = mesh.triangles[leaf.triangle];
+        leaf.corners = {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+        leaf.isSliver = collision::isSliver(leaf.corners);
+    }
+    for (std::size_t n = nodes_.size(); n-- > 0;) { // children come after their parents
+        Node& node = nodes_[n];
+        for (int i = 0; i < width; ++i) {
+            const int child = node.child[i];
+            if (child == -1 && !std::isfinite(node.low[0][i])) continue; // missing
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                if (child < 0) {
+                    const auto& [a, b, c] = leaves_[-1 - child].corners;
+                    const int k = static_cast<int>(axis);
+                    node.low[axis][i] = static_cast<float>(std::min({a[k], b[k], c[k]}) - margin);
+                    node.high[axis][i] = static_cast<float>(std::max({a[k], b[k], c[k]}) + margin);
+                } else {
+                    const Node& below = nodes_[child]; // of a child that is missing the box is nowhere: +∞
+                    node.low[axis][i] = std::ranges::min(below.low[axis]);
+                    node.high[axis][i] = std::ranges::max(
+                        below.high[axis], {}, [](float high) { return std::isfinite(high) ? high : -high; });
+                }
+            }
+        }
+    }
+}
+
 std::size_t NearestTree::bytes() const {
     return nodes_.capacity() * sizeof(Node) + leaves_.capacity() * sizeof(Leaf);
 }

@@ -20,6 +20,9 @@ public:
     /// The mesh has at least one triangle.
     NearestTree(const geometry::TriangleMesh& mesh, const SurfaceNormals& normals);
 
+    /// The same boxes and triangles with the vertices moved; the farther from where it was made, the slower.
+    void moveTo(const geometry::TriangleMesh& mesh);
+
     struct Found {
         int triangle = -1; ///< −1 = none so near
         TrianglePoint nearest{};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <unordered_map>
 
@@ -27,7 +28,7 @@ std::vector<int> firstAtPosition(const std::vector<Vec3>& vertices) {
     return first;
 }
 
-/// Zero when the corners lie on a line to within rounding.
+/// Zero for a sliver.
 Vec3 faceNormal(const std::array<Vec3, 3>& corner) {
     const Vec3 n = cross(corner[1] - corner[0], corner[2] - corner[0]);
     const double longest = std::max({squaredLength(corner[1] - corner[0]), squaredLength(corner[2] - corner[1]),
@@ -90,6 +91,52 @@ SurfaceNormals::SurfaceNormals(const geometry::TriangleMesh& mesh) : faces_(mesh
     closed_ = !edges.empty() && std::ranges::all_of(edges, [](const auto& entry) {
         return entry.second.forward == entry.second.backward && entry.second.forward == 1;
     });
+}
+
+bool isSliver(const std::array<Vec3, 3>& corners) {
+    return faceNormal(corners) == Vec3{};
+}
+
+NormalsOnDemand::NormalsOnDemand(const geometry::TriangleMesh& mesh) : firstFace_(mesh.vertices.size() + 1, 0) {
+    const std::vector<int> first = firstAtPosition(mesh.vertices);
+    faces_.reserve(mesh.triangles.size());
+    for (const auto& [a, b, c] : mesh.triangles) faces_.push_back({first[a], first[b], first[c]});
+    for (const auto& face : faces_)
+        for (const int v : face) ++firstFace_[v + 1];
+    std::partial_sum(firstFace_.begin(), firstFace_.end(), firstFace_.begin());
+    std::vector<int> next(firstFace_.begin(), firstFace_.end() - 1);
+    facesAt_.resize(3 * faces_.size());
+    for (int f = 0; f < std::ssize(faces_); ++f)
+        for (const int v : faces_[f]) facesAt_[next[v]++] = f;
+}
+
+std::array<Vec3, 3> NormalsOnDemand::cornersOf(const std::vector<Vec3>& vertices, int face) const {
+    const auto& [a, b, c] = faces_[face];
+    return {vertices[a], vertices[b], vertices[c]};
+}
+
+Vec3 NormalsOnDemand::at(const std::vector<Vec3>& vertices, int triangle, TrianglePart part) const {
+    if (part == TrianglePart::inside) return faceNormal(cornersOf(vertices, triangle));
+    const auto index = static_cast<std::size_t>(part);
+    const bool isEdge = index < 4;
+    const int v = faces_[triangle][isEdge ? index - 1 : index - 4];
+    const int other = faces_[triangle][isEdge ? index % 3 : index - 4];
+    if (isEdge && v == other) return {};
+    Vec3 sum;
+    for (const int f : std::span(facesAt_).subspan(firstFace_[v], firstFace_[v + 1] - firstFace_[v])) {
+        const std::array<Vec3, 3> x = cornersOf(vertices, f);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int here = faces_[f][k], next = faces_[f][(k + 1) % 3], last = faces_[f][(k + 2) % 3];
+            if (here != v) continue;
+            if (!isEdge) sum += faceNormal(x) * angleBetween(x[(k + 1) % 3] - x[k], x[(k + 2) % 3] - x[k]);
+            else if (next == other || last == other) sum += faceNormal(x);
+        }
+    }
+    return unitOrZero(sum);
+}
+
+std::size_t NormalsOnDemand::bytes() const {
+    return faces_.capacity() * sizeof(faces_[0]) + (firstFace_.capacity() + facesAt_.capacity()) * sizeof(int);
 }
 
 } // namespace toile::collision

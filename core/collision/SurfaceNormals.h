@@ -32,4 +32,23 @@ private:
     bool closed_ = false;
 };
 
+/// Whether the corners of a triangle lie on a line, to within rounding.
+[[nodiscard]] bool isSliver(const std::array<Vec3, 3>& corners);
+
+/// The same normals of a mesh whose vertices move, each computed when it is asked for: of all there are, a substep asks
+/// for few. Which corners are one and which faces meet stays as it was in the mesh it was made from.
+class NormalsOnDemand {
+public:
+    explicit NormalsOnDemand(const geometry::TriangleMesh& mesh);
+    /// With the vertices there now [m].
+    [[nodiscard]] Vec3 at(const std::vector<Vec3>& vertices, int triangle, TrianglePart part) const;
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    [[nodiscard]] std::array<Vec3, 3> cornersOf(const std::vector<Vec3>& vertices, int face) const;
+
+    std::vector<geometry::TriangleIndices> faces_; ///< of vertices that stand for all at their position
+    std::vector<int> firstFace_, facesAt_;         ///< of each vertex, the faces round it: |V| + 1 starts and the list
+};
+
 } // namespace toile::collision

@@ -16,15 +16,22 @@ SurfaceTracker::SurfaceTracker(const BodySurface& body, std::size_t points, doub
     : body_(body), squaredPlaneReach_(planeReach * planeReach), known_(points, Known{{unknown, 0, 0}, 0}),
       planes_(points) {}
 
-double SurfaceTracker::ask(std::size_t i, const Vec3& p) {
+void SurfaceTracker::bodyMoved(double farthest) {
+    squaredPlaneReach_ = -1;
+    for (Known& known : known_) known.distance -= farthest;
+}
+
+SurfacePoint SurfaceTracker::find(std::size_t i, const Vec3& p) {
     Known& known = known_[i];
     const double moved = distance(p, known.at); // infinite for a point that was never asked for
     const double rounding = 1e-9;               // [m]
-    const auto found = body_.nearest(p, std::abs(known.distance) + moved + rounding);
+    auto found = body_.nearest(p, std::abs(known.distance) + moved + rounding);
+    const bool bodyMoves = squaredPlaneReach_ < 0;
+    if (!found && bodyMoves) found = body_.nearest(p, unknown); // it has drawn away
     expects(found.has_value(), "a surface does not jump away from a point that is finite");
     known = {p, found->signedDistance};
     planes_[i] = {found->point, found->normal};
-    return found->signedDistance;
+    return *found;
 }
 
 std::size_t SurfaceTracker::bytes() const {

@@ -13,9 +13,9 @@ struct TangentPlane {
     [[nodiscard]] double distance(const Vec3& p) const { return dot(p - point, normal); } ///< signed [m]
 };
 
-/// Follows points that move in small steps beside a body that does not, and asks the body as seldom as it can:
+/// Follows points that move in small steps beside a body, and asks the body as seldom as it can:
 /// a point that was d away and has moved by s is at least d − s away, and over a very short way the tangent plane found
-/// last stands for the surface.
+/// last stands for the surface. Beside a body that moves no plane stands for it.
 class SurfaceTracker {
 public:
     /// planeReach: how far a point may move from where its plane was found [m]. Moving by s changes the true distance
@@ -37,16 +37,21 @@ public:
         return ask(i, p) <= reach ? &planes_[i] : nullptr;
     }
 
+    /// The body has moved, no place of it by more than this [m]; no plane that was found stands for it any more.
+    void bodyMoved(double farthest);
+    /// Asks the body where point i is, now at p.
+    SurfacePoint find(std::size_t i, const Vec3& p);
+
     [[nodiscard]] const BodySurface& body() const { return body_; }
     [[nodiscard]] std::size_t bytes() const;
 
 private:
     struct Known {
         Vec3 at;             ///< where it was when the body was asked [m]
-        double distance = 0; ///< signed, there [m]
+        double distance = 0; ///< signed, there [m]; at least so much of a body that has moved since
     };
 
-    double ask(std::size_t i, const Vec3& p);
+    double ask(std::size_t i, const Vec3& p) { return find(i, p).signedDistance; }
 
     const BodySurface& body_;
     double squaredPlaneReach_;

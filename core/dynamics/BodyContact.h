@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/cloth/ClothModel.h"
+#include "core/collision/MovingSurface.h"
 #include "core/collision/SmoothDistance.h"
 #include "core/collision/SurfaceTracker.h"
 #include "core/dynamics/Friction.h"
@@ -51,13 +52,17 @@ struct ContactReport {
     int contacts = 0;              ///< samples at their target distance, to within 0.1 mm
 };
 
-/// Contact of cloth with a body that does not move: the distance of skin offset + half thickness is kept, and
-/// tangential motion is resisted by Coulomb friction, which sticks exactly. docs/collision.md
+/// Contact of cloth with a body: the distance of skin offset + half thickness is kept, and
+/// tangential motion is resisted by Coulomb friction, which sticks exactly. A body may move while steps are
+/// position-based. docs/collision.md
 class BodyContact final : public Stage {
 public:
     /// The body is borrowed and outlives the stage.
     BodyContact(const collision::BodySurface& body, std::vector<ContactSample> samples,
                 BodyContactSettings settings = {});
+
+    /// The body moves from now on: the surface of this motion is the one that the stage was made with. Borrowed.
+    void follow(collision::MovingSurface& motion) { motion_ = &motion; }
 
     [[nodiscard]] std::string_view name() const override { return "body contact"; }
     [[nodiscard]] std::size_t bytes() const override;
@@ -114,6 +119,8 @@ private:
         for (int k = 0; k < sample.termCount; ++k) sum += positions[term[k].particle] * term[k].weight;
         return sum;
     }
+    void follow(double time);
+    void meetMoving(std::size_t sample, const ContactPace& pace, Substep& substep);
     void meet(std::size_t sample, const ContactPace& pace, Substep& substep);
     void resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now, const Vec3& before,
                  const ContactPace& pace, Substep& substep) const;
@@ -126,6 +133,7 @@ private:
     std::vector<int> blends_, alone_; ///< samples that have a particle in common with others, and those that have not
     double frequencySquared_ = 0;     ///< [1/s²]
     collision::SurfaceTracker tracker_;
+    collision::MovingSurface* motion_ = nullptr; ///< null: the body stands still
     std::unique_ptr<Pushing> pushing_;
 };
 

@@ -39,6 +39,7 @@ void addTurning(double (&block)[9], double force, const double (&curvature)[9]) 
 /// What has slipped further than friction gives drags its anchor behind it; what has not keeps it, and so
 /// sticks without creeping from step to step.
 void BodyContact::beginStep(const ParticleState& state, double) {
+    if (motion_) follow(state.time);
     if (!pushing_) return;
     for (std::size_t s = 0; s < pushing_->anchors.size(); ++s) {
         Vec3& anchor = pushing_->anchors[s];

@@ -142,4 +142,29 @@ Result<BodyFile> readBodyFile(const std::filesystem::path& path, const BodyImpor
     return BodyFile{std::nullopt, std::move(*mesh)};
 }
 
+bool isBodyFile(const fs::path& path) {
+    return formatOf(path).has_value();
+}
+
+Result<PoseFile> readPose(const fs::path& path, std::optional<PoseReading> reading) {
+    const auto format = formatOf(path);
+    if (!format) return tl::unexpected(format.error());
+    const auto named = [&](Error error) {
+        error.place.file = path.string();
+        return tl::unexpected(std::move(error));
+    };
+    auto content = contentOf(path, *format, {});
+    if (!content) return named(content.error());
+    geometry::TriangleMesh mesh = content->body ? std::move(content->body->mesh) : std::move(content->imported.mesh);
+    if (auto sound = checked(mesh); !sound) return named(sound.error());
+    const bool first = !reading;
+    auto sized = first ? sizedAsBody(std::move(mesh), format->saysMetres || content->body, std::nullopt)
+                       : scaledToMetres(std::move(mesh), reading->unit);
+    if (!sized) return named(sized.error());
+    PoseFile pose{std::move(sized->mesh.vertices), first ? PoseReading{sized->unit, sized->stoodUp} : *reading};
+    if (!first && reading->stoodUp)
+        for (Vec3& v : pose.vertices) v = stoodUp(v);
+    return pose;
+}
+
 } // namespace toile::io

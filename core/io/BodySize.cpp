@@ -60,11 +60,16 @@ const char* nameOf(LengthUnit unit) {
     return "metres";
 }
 
+Vec3 stoodUp(const Vec3& p) {
+    return {p.x, p.z, -p.y};
+}
+
 Result<SizedMesh> sizedAsBody(geometry::TriangleMesh mesh, bool formatSaysMetres, std::optional<LengthUnit> told) {
-    SizedMesh sized{std::move(mesh), LengthUnit::metre, {}};
+    SizedMesh sized{.mesh = std::move(mesh)};
     geometry::Box3 box = geometry::boundsOf(sized.mesh.vertices);
     if (!formatSaysMetres && hasZUp(box)) {
-        for (Vec3& v : sized.mesh.vertices) v = {v.x, v.z, -v.y};
+        for (Vec3& v : sized.mesh.vertices) v = stoodUp(v);
+        sized.stoodUp = true;
         box = geometry::boundsOf(sized.mesh.vertices);
         sized.warnings.push_back({"body", "It was lying on its back: z is taken to be up."});
     }

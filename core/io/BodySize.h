@@ -21,7 +21,11 @@ struct SizedMesh {
     geometry::TriangleMesh mesh;
     LengthUnit unit = LengthUnit::metre;
     std::vector<Warning> warnings;
+    bool stoodUp = false; ///< it was lying on its back
 };
+
+/// Where a point of a body that lies on its back comes to be when it is stood up.
+[[nodiscard]] Vec3 stoodUp(const Vec3& p);
 
 /// Judges by the height of a standing adult, 1.2 to 2.3 m, which unit a file without one is in; a body that is lying on
 /// its back because its file has z up is stood up. What was assumed is a warning. A file whose format says metres is

@@ -26,7 +26,7 @@ double longestSide(const meshing::PieceMesh& mesh, std::span<const int> corners)
 /// Cells that lie near a bump: the cloth may still slip by so much before the plan is made anew.
 class NearBumps {
 public:
-    explicit NearBumps(const std::vector<Vec3>& bumps) : bumps_(bumps) { std::ranges::sort(bumps_, {}, &Vec3::y); }
+    explicit NearBumps(std::vector<Vec3> bumps) : bumps_(std::move(bumps)) { std::ranges::sort(bumps_, {}, &Vec3::y); }
     [[nodiscard]] bool operator()(const Vec3& p) const {
         constexpr double reach = 0.03; // [m]
         const auto first = std::ranges::lower_bound(bumps_, p.y - reach, {}, &Vec3::y);
@@ -74,8 +74,31 @@ void appendNet(std::vector<dynamics::ContactSample>& samples, std::span<const in
         }
 }
 
+void appendMiddle(std::vector<dynamics::ContactSample>& samples, std::span<const int> corners) {
+    std::vector<const dynamics::ContactSample*> ends;
+    for (const int particle : corners) ends.push_back(&samples[particle]);
+    dynamics::ContactSample middle = dynamics::middleOf(ends);
+    samples.push_back(std::move(middle)); // only now may the corners move
+}
+
+/// The two corners that are farthest apart.
+std::array<int, 2> longestSideOf(const std::vector<int>& corners, const meshing::PieceMesh& mesh,
+                                 std::span<const int> nodes) {
+    std::array<int, 2> ends{corners[0], corners[1]};
+    double longest = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (std::size_t k = i + 1; k < nodes.size(); ++k)
+            if (const double d = geometry::distance(mesh.nodes[nodes[i]], mesh.nodes[nodes[k]]); d > longest) {
+                longest = d;
+                ends = {corners[i], corners[k]};
+            }
+    return ends;
+}
+
+/// bodyMoves: a limb may then strike the cloth from any side and at any speed, and twist a rectangle by more than
+/// the skin offset. Its two triangles are looked at instead.
 void appendInner(std::vector<dynamics::ContactSample>& samples, const Garment& garment, const NearBumps& nearBump,
-                 std::span<const Vec3> positions) {
+                 std::span<const Vec3> positions, bool bodyMoves) {
     for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece) {
         const meshing::PieceMesh& mesh = garment.mesh->pieces[piece];
         const int first = garment.particles.firstNode[piece];
@@ -86,12 +109,14 @@ void appendInner(std::vector<dynamics::ContactSample>& samples, const Garment& g
             if (std::ranges::any_of(corners, [&](int particle) { return nearBump(positions[particle]); })) {
                 appendNet(samples, corners, size);
             } else if (size > followingSize) {
-                std::vector<const dynamics::ContactSample*> ends;
-                for (const int particle : corners) ends.push_back(&samples[particle]);
-                dynamics::ContactSample middle = dynamics::middleOf(ends);
-                samples.push_back(std::move(middle)); // only now may the corners move
+                if (bodyMoves) appendMiddle(samples, longestSideOf(corners, mesh, nodes));
+                appendMiddle(samples, corners);
             }
         };
+        if (bodyMoves) {
+            for (const auto& triangle : mesh.display) append(triangle);
+            continue;
+        }
         for (const meshing::Rectangle& cell : mesh.rectangles) append(cell.nodes);
         for (const meshing::Triangle& t : mesh.triangles) append(t.nodes);
     }
@@ -103,7 +128,7 @@ std::unique_ptr<dynamics::Stage> bodyContactOf(const Scene& scene, const Garment
                                                const collision::BodySurface& body, std::span<const Vec3> positions) {
     std::vector<dynamics::ContactSample> samples =
         dynamics::particleSamples(garment.model, garment.halfThickness, garment.friction, scene.settings.bodyFriction);
-    appendInner(samples, garment, NearBumps(body.bumps()), positions);
+    appendInner(samples, garment, NearBumps(body.bumps()), positions, body.hasMoved());
     return std::make_unique<dynamics::BodyContact>(
         body, std::move(samples), dynamics::BodyContactSettings{.skinOffset = scene.settings.skinOffset});
 }

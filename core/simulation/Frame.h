@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/base/Shared.h"
+#include "core/body/Landmarks.h"
 #include "core/geometry/Vec.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,9 +41,10 @@ enum class Finish {
 struct Frame {
     std::uint64_t generation = 0; ///< of the scene it belongs to
     Shared<FrameTopology> topology;
-    std::vector<Vec3> positions; ///< of the topology's vertices [m]
-    double time = 0;             ///< simulated [s]
-    double framesPerSecond = 0;  ///< simulated frames computed a second
+    std::vector<Vec3> positions;            ///< of the topology's vertices [m]
+    std::optional<Shared<body::Body>> body; ///< as it stands now, if not as the scene has it
+    double time = 0;                        ///< simulated [s]
+    double framesPerSecond = 0;             ///< simulated frames computed a second
     int particles = 0;
     double largestSeamGap = 0; ///< over seams not merged yet [m]
     double largestSpeed = 0;   ///< [m/s]

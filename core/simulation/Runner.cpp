@@ -69,6 +69,11 @@ public:
         grips_.put(std::move(grips));
         wake();
     }
+    void moveBody(std::shared_ptr<const geometry::VertexMotion> motion) {
+        motions_.put(std::move(motion));
+        playing_ = true;
+        wake();
+    }
     void requestReset() {
         playing_ = false;
         reset_ = true;
@@ -100,6 +105,7 @@ private:
     Mailbox<Order> orders_;
     Mailbox<Frame> frames_;
     Mailbox<std::vector<Grip>> grips_;
+    Mailbox<std::shared_ptr<const geometry::VertexMotion>> motions_;
     Mailbox<Checkpoint> resumed_;
     Mailbox<Result<Checkpoint>> checkpoints_;
     std::atomic<bool> playing_{false}, reset_{false};
@@ -123,6 +129,7 @@ private:
             if (auto checkpoint = resumed_.take()) goOnFrom(*checkpoint);
             if (asked_.exchange(false)) tellWhereItStands();
             if (auto grips = grips_.take()) take(std::move(*grips));
+            if (auto motion = motions_.take()) take(std::move(*motion));
             if (pushed_.exchange(false) && stands()) playUntil_ = simulation_->state().time + atLeast;
             if (mayStep) {
                 --steps_;
@@ -159,6 +166,14 @@ private:
         playUntil_ = simulation_->state().time + atLeast;
     }
 
+    void take(std::shared_ptr<const geometry::VertexMotion> motion) {
+        if (!stands()) return;
+        if (const auto moved = simulation_->moveBody(std::move(motion)); !moved) return publish(moved.error().text);
+        resting_ = false;
+        finish_ = Finish::none;
+        attempts_ = 0;
+    }
+
     void restart() {
         simulation_.reset();
         if (generation_ > 0) adopt(Simulation::create(scene_));
@@ -171,7 +186,10 @@ private:
     }
 
     void tellWhereItStands() {
-        if (stands()) checkpoints_.put(simulation_->checkpoint());
+        if (stands() && simulation_->movedBody())
+            checkpoints_.put(fail(ErrorCode::invalidInput,
+                                  "The avatar has moved; a checkpoint knows it only as it stood at first."));
+        else if (stands()) checkpoints_.put(simulation_->checkpoint());
         else checkpoints_.put(fail(ErrorCode::invalidInput, "There is no garment that could be simulated."));
     }
 
@@ -294,6 +312,9 @@ void Runner::finishAtRest(bool wanted) {
 }
 void Runner::hold(std::vector<Grip> grips) {
     worker_->hold(std::move(grips));
+}
+void Runner::moveBody(std::shared_ptr<const geometry::VertexMotion> motion) {
+    worker_->moveBody(std::move(motion));
 }
 void Runner::askForCheckpoint() {
     worker_->askForCheckpoint();

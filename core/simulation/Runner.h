@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/geometry/VertexMotion.h"
 #include "core/simulation/Checkpoint.h"
 #include "core/simulation/Frame.h"
 #include "core/simulation/Grips.h"
@@ -33,9 +34,12 @@ public:
     void finishAtRest(bool wanted);
     /// What hands hold from now on. While the cloth plays it follows them, also if it was at rest.
     void hold(std::vector<Grip> grips);
+    /// The body moves so from now on (Simulation::moveBody), and time runs. What cannot be is refused by a frame's
+    /// message.
+    void moveBody(std::shared_ptr<const geometry::VertexMotion> motion);
     /// Asks where the simulation stands; takeCheckpoint() has it when the frame step under way is done.
     void askForCheckpoint();
-    /// Refused where there is no garment that could stand anywhere.
+    /// Refused where there is no garment that could stand anywhere, and where the body has moved.
     [[nodiscard]] std::optional<Result<Checkpoint>> takeCheckpoint();
     /// Goes on from there, paused. What belongs to another scene is refused by a frame's message; the garment stays.
     void resume(Checkpoint checkpoint);

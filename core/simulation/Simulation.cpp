@@ -109,6 +109,10 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) 
     after.steps_ = before.steps_;
     after.team_ = before.team_;
     after.grips_ = before.grips_;
+    if (sameBody) {
+        after.motion_ = before.motion_;
+        after.movedBody_ = before.movedBody_;
+    }
     after.goesOnAsItLay_ = before.phase_ == Phase::draping || before.goesOnAsItLay_;
     after.seamStart_.assign(after.seams_.size(), -1);
     for (TackState& tack : after.tacks_) tack.start = -1;
@@ -130,6 +134,7 @@ void Simulation::rebuildPlan() {
     Scene now = scene_;
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
     plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), tacks_, grips_, state_.positions, forced_, phase_);
+    followBody();
     plannedDamping_ = damping();
     if (scene_.paper) {
         integrator_ = integratorOf(dynamics::Method::subcycledEuler);
@@ -230,6 +235,7 @@ void Simulation::hold(std::vector<Grip> grips) {
 
 Result<dynamics::StepReport> Simulation::moveCloth(double duration, std::stop_token stop) {
     if (integrator_) return integrator_->step(state_, duration, gravity(), plan_.stages(), stop);
+    if (motion_) return moveBesideBody(duration, stop);
     if (auto done = xpbd_->step(state_, duration, substeps_, gravity(), plan_.stages(), stop); !done)
         return tl::unexpected(done.error());
     return dynamics::StepReport{.parts = substeps_};
@@ -262,7 +268,8 @@ Result<void> Simulation::advance(std::stop_token stop) {
     holdClosedTacks();
     if (!closingSeams().empty() || closingTacks() > 0 || restingTime_ >= longEnough) goesOnAsItLay_ = false;
     goOnDressing();
-    restingTime_ = speeds.areOfRest() && phase_ == Phase::draping ? restingTime_ + duration : 0;
+    restingTime_ = speeds.areOfRest() && phase_ == Phase::draping && !motion_ ? restingTime_ + duration : 0;
+    if (motion_) noteBody();
     stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     allSeconds_ += stepSeconds_;
     return {};
@@ -292,6 +299,7 @@ Frame Simulation::frame() const {
     Frame frame;
     frame.topology = topology_;
     frame.positions = nodePositions();
+    frame.body = movedBody_;
     frame.time = state_.time;
     frame.framesPerSecond = stepSeconds_ > 0 ? 1 / stepSeconds_ : 0;
     frame.particles = garment_->particles.particleCount;

@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/Team.h"
 #include "core/collision/BodySurface.h"
+#include "core/collision/MovingSurface.h"
 #include "core/dynamics/CoarseLevels.h"
 #include "core/dynamics/Method.h"
 #include "core/dynamics/Statics.h"
@@ -75,8 +76,9 @@ public:
     /// the checkpoint belongs to another scene or mesh.
     [[nodiscard]] static Result<Simulation> resumed(Scene scene, const MeshOverrides& overrides,
                                                     const Checkpoint& checkpoint);
-    /// Where it stands now. What is only remembered from step to step (what friction holds, which layers are near) is
-    /// let go here as it will be by the simulation that is resumed: both go on to the same bits.
+    /// Where it stands now, of a body that stands where the scene has it. What is only remembered from step to step
+    /// (what friction holds, which layers are near) is let go here as it will be by the simulation that is resumed:
+    /// both go on to the same bits.
     [[nodiscard]] Checkpoint checkpoint();
 
     /// Integrates by this method (not in a scene of the paper) while no seam is being closed; sewing itself is
@@ -90,6 +92,14 @@ public:
 
     /// What hands hold from now on, instead of what they held. Cheap while only targets move.
     void hold(std::vector<Grip> grips);
+
+    /// The body moves so from now on, by position-based steps, and stays as its last pose is; its landmarks and axes
+    /// are still those of where it stood. Error: the garment is still being put on, another method drapes it, there is
+    /// no body, or it cannot move so.
+    [[nodiscard]] Result<void> moveBody(std::shared_ptr<const geometry::VertexMotion> motion);
+    [[nodiscard]] bool bodyMoves() const { return motion_ != nullptr; }
+    /// As it stands, with the landmarks of the scene's; absent: as the scene has it.
+    [[nodiscard]] const std::optional<Shared<body::Body>>& movedBody() const { return movedBody_; }
 
     /// Builds stages from now on that the scene has no use for (planOf): by them tests and studies see that leaving
     /// them out changes nothing but the time.
@@ -111,6 +121,7 @@ public:
     /// Time of all stages since the start, also of those that are no longer there; "cloth" is the rest of a step.
     [[nodiscard]] std::vector<StepPlan::StageCost> stageCosts() const;
     [[nodiscard]] const Shared<FrameTopology>& topology() const { return topology_; }
+    /// As it is now; null without a body.
     [[nodiscard]] const collision::BodySurface* body() const { return body_.get(); }
     [[nodiscard]] const std::vector<SeamState>& seams() const { return seams_; }
     [[nodiscard]] const std::vector<TackState>& tacks() const { return tacks_; } ///< as the pattern has them
@@ -139,6 +150,10 @@ private:
     Simulation(Scene scene, SceneParts parts, MeshOverrides overrides);
 
     void rebuildPlan();
+    void followBody();
+    void standStill();
+    void noteBody();
+    [[nodiscard]] Result<dynamics::StepReport> moveBesideBody(double duration, std::stop_token stop);
     void planSubsteps();
     [[nodiscard]] Team* teamWorthWaking() const; ///< null: the cloth is too small to share
     [[nodiscard]] Result<void> drawTaut(std::stop_token stop);
@@ -164,6 +179,8 @@ private:
     Scene scene_;
     std::unique_ptr<const Garment> garment_; ///< the integrator keeps a reference to its model
     std::shared_ptr<const collision::BodySurface> body_;
+    std::shared_ptr<collision::MovingSurface> motion_; ///< of a body that moves; then the surface is its
+    std::optional<Shared<body::Body>> movedBody_;
     Shared<FrameTopology> topology_;
     dynamics::ParticleState state_;
     std::shared_ptr<Team> team_;               ///< null = alone

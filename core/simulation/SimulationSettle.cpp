@@ -32,6 +32,7 @@ Result<void> Simulation::drawTaut(std::stop_token stop) {
 
 Result<dynamics::StaticReport> Simulation::settle(const dynamics::StaticSettings& settings, std::stop_token stop,
                                                   const Progress& progress) {
+    if (motion_) return fail(ErrorCode::invalidInput, "Beside a body that moves there is no equilibrium.");
     const dynamics::ParticleState before = state_;
     if (const auto taut = settings.maximumIterations > 0 ? drawTaut(stop) : Result<void>(); !taut) {
         state_ = before;

@@ -6,6 +6,8 @@
 #include "core/io/ToileFile.h"
 #include "samples/SmallScenes.h"
 
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <csignal>
 
@@ -36,6 +38,8 @@ private slots:
     void everyDrapeFormatIsWritten();
     void framesAreKeptAsAPointCacheOrAFolder();
     void framesOfAnotherRunAreNotMixedIn();
+    void theAvatarMovesOnceTheClothHangs();
+    void motionsThatCannotBeAreRefused();
     void aPictureIsNotBlank();
     void equalRunsGiveEqualBits();
     void quietSaysNothing();
@@ -154,6 +158,42 @@ void tst_SewCommand::framesAreKeptAsAPointCacheOrAFolder() {
     QCOMPARE(contentOf(in("frames") + "/frame-00006.obj"), contentOf(in("drape.obj")));
     const qsizetype points = contentOf(in("drape.obj")).count("\nv ");
     QCOMPARE(contentOf(in("cache.pc2")).size(), 32 + 7 * points * 12);
+}
+
+void tst_SewCommand::theAvatarMovesOnceTheClothHangs() {
+    const QStringList sheet{
+        "sew",         sample("sheet-two-corners.toile"), "--spacing", "100", "--limit", "0.1", "--quiet", "--report",
+        in("sew.json")};
+    body::Body body = box(0.2, 0.2);
+    QVERIFY(QDir().mkpath(in("poses")));
+    QVERIFY(io::writeBody(in("box.glb").toStdString(), body).has_value());
+    QVERIFY(io::writeBody(in("poses/a.glb").toStdString(), body).has_value());
+    for (Vec3& v : body.mesh.vertices) v.y += 0.1;
+    QVERIFY(io::writeBody(in("poses/b.glb").toStdString(), body).has_value());
+    const Finished pushed =
+        run(sheet + QStringList{"--avatar", in("box.glb"), "--motion", in("poses"), "--motion-step", "0.1"});
+    QVERIFY2(pushed.out.contains("the body moved for 0.10 s, at 1.0 m/s at most"), qPrintable(pushed.out));
+    QJsonObject motion = QJsonDocument::fromJson(contentOf(in("sew.json"))).object()["motion"].toObject();
+    QCOMPARE(motion["steps"].toInt(), 6);
+
+    const Finished lifted = run(
+        sheet + QStringList{"--avatar", sample("bodies/mannequin-42.glb"), "--lift-arms", "20", "--lift-time", "0.2"});
+    QVERIFY2(lifted.out.contains("the body moved for 0.20 s"), qPrintable(lifted.out + lifted.err));
+    motion = QJsonDocument::fromJson(contentOf(in("sew.json"))).object()["motion"].toObject();
+    QCOMPARE(motion["steps"].toInt(), 12);
+    QVERIFY(motion["bodySpeedMaximum"].toDouble() > 0.5);
+}
+
+void tst_SewCommand::motionsThatCannotBeAreRefused() {
+    const QStringList sheet{"sew", sample("sheet-two-corners.toile"), "--spacing", "100", "--limit", "0.1"};
+    const Finished bare = run(sheet + QStringList{"--lift-arms", "20"});
+    QCOMPARE(bare.status, 1);
+    QVERIFY2(bare.err.contains("no avatar that could move"), qPrintable(bare.err));
+    const Finished both = run(sheet + QStringList{"--lift-arms", "20", "--motion", in("poses")});
+    QCOMPARE(both.status, 2);
+    const Finished kept = run(sheet + QStringList{"--avatar", sample("bodies/mannequin-42.glb"), "--lift-arms", "20",
+                                                  "--checkpoint", in("point")});
+    QCOMPARE(kept.status, 2);
 }
 
 void tst_SewCommand::framesOfAnotherRunAreNotMixedIn() {

@@ -31,6 +31,7 @@ private slots:
     void everyOrderStopsStatics();
     void aCheckpointIsGoneOnFromByAnotherRunner();
     void aCheckpointOfAnotherSceneIsRefused();
+    void theBodyMovesAndClothThatRestedGoesAlong();
     void fiveHundredEditsWhileItSews();
 
 private:
@@ -306,6 +307,44 @@ void tst_Runner::aCheckpointOfAnotherSceneIsRefused() {
     QVERIFY(refused);
     QVERIFY(refused->message.find("another scene") != std::string::npos);
     QVERIFY(!refused->positions.empty()); // the garment stays
+}
+
+void tst_Runner::theBodyMovesAndClothThatRestedGoesAlong() {
+    Runner runner;
+    Scene scene;
+    scene.pattern.fabrics.push_back(plainCloth());
+    pattern::Piece piece = polygonPiece("sheet", {{0, 0}, {0.3, 0}, {0.3, 0.3}, {0, 0.3}}, 0.05);
+    piece.placement = pattern::Placement{};
+    piece.placement->transform = {.axisX = {1, 0, 0}, .axisY = {0, 0, -1}, .axisZ = {0, 1, 0}, .origin = {0, 0.51, 0}};
+    scene.pattern.pieces.push_back(Shared<pattern::Piece>(std::move(piece)));
+    scene.body = Shared<body::Body>(box());
+    runner.setScene(scene, 1);
+    runner.play();
+    const auto rested = waitForFrame(runner, [](const Frame& frame) { return frame.atRest; });
+    QVERIFY(rested && !rested->body);
+
+    const std::vector<Vec3>& vertices = (*scene.body)->mesh.vertices;
+    geometry::VertexMotion up{0.2, {vertices, vertices}};
+    for (Vec3& v : up.poses[1]) v.y += 0.1;
+    runner.moveBody(std::make_shared<const geometry::VertexMotion>(up));
+    const auto lifted = waitForFrame(runner, [&](const Frame& frame) {
+        return frame.atRest && frame.body && (*frame.body)->mesh.vertices == up.poses[1];
+    });
+    QVERIFY(lifted);
+    for (std::size_t v = 0; v < lifted->positions.size(); ++v)
+        QVERIFY(std::abs(lifted->positions[v].y - rested->positions[v].y - 0.1) < 2e-3);
+
+    runner.moveBody(std::make_shared<const geometry::VertexMotion>(up)); // it does not begin where the body is
+    const auto refused = waitForFrame(runner, [](const Frame& frame) { return !frame.message.empty(); });
+    QVERIFY(refused && refused->message.find("off by 100.0 mm") != std::string::npos);
+    runner.askForCheckpoint();
+    std::optional<Result<Checkpoint>> checkpoint;
+    QTRY_VERIFY(checkpoint || (checkpoint = runner.takeCheckpoint()));
+    QVERIFY(!*checkpoint && checkpoint->error().text.find("avatar has moved") != std::string::npos);
+
+    std::ranges::reverse(up.poses);
+    runner.moveBody(std::make_shared<const geometry::VertexMotion>(up));
+    QVERIFY(waitForFrame(runner, [](const Frame& frame) { return frame.atRest && !frame.body; }));
 }
 
 void tst_Runner::fiveHundredEditsWhileItSews() {

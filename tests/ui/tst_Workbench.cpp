@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
+#include "core/body/Mannequin.h"
+#include "core/document/DocumentEdits.h"
 #include "core/io/ToileFile.h"
 #include "core/pattern/PatternFabrics.h"
 #include "ui/panels/PropertySheet.h"
@@ -28,6 +30,7 @@ struct FakeSimulation : Simulation {
         int resets = 0;
         std::vector<simulation::Grip> grips;
         std::optional<simulation::Checkpoint> resumed;
+        std::shared_ptr<const geometry::VertexMotion> motion;
     };
     explicit FakeSimulation(Log& l) : log(l) {}
     void setScene(simulation::Scene, std::uint64_t generation) override { log.generations.push_back(generation); }
@@ -37,6 +40,7 @@ struct FakeSimulation : Simulation {
     void reset() override { ++log.resets; }
     void finishAtRest(bool wanted) override { log.finishes = wanted; }
     void hold(std::vector<simulation::Grip> grips) override { log.grips = std::move(grips); }
+    void moveBody(std::shared_ptr<const geometry::VertexMotion> motion) override { log.motion = std::move(motion); }
     void askForCheckpoint() override {}
     std::optional<Result<simulation::Checkpoint>> takeCheckpoint() override { return {}; }
     void resume(simulation::Checkpoint checkpoint) override { log.resumed = std::move(checkpoint); }
@@ -80,6 +84,7 @@ private Q_SLOTS:
     void anEditMakesANewScene();
     void movingOnTheTableMakesNoNewScene();
     void olderFramesAreDropped();
+    void armsAreLiftedAndLetDownAgain();
     void theEndOfTheFinishIsToldOnce();
     void theGarmentStaysInViewWhileItCannotBeBuilt();
     void framesAreAskedForOnlyWhileSomethingHappens();
@@ -130,6 +135,40 @@ void tst_Workbench::olderFramesAreDropped() {
     fixture.log.frame = frameOf(bench.generation());
     bench.pollFrame();
     QVERIFY(bench.frame());
+}
+
+void tst_Workbench::armsAreLiftedAndLetDownAgain() {
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    QSignalSpy told(&bench, &Workbench::messageChanged);
+    bench.liftArms();
+    QCOMPARE(told.size(), 1); // there is nothing yet
+    QVERIFY(!fixture.log.motion);
+
+    auto mannequin = body::makeMannequin({});
+    QVERIFY(mannequin.has_value());
+    Fixture dressed;
+    auto parts = dressed.parts();
+    parts.readBody = [&](const std::string&) -> Result<body::Body> { return mannequin->body; };
+    Workbench workbench(std::move(parts));
+    QSignalSpy read(&workbench, &Workbench::bodyChanged);
+    workbench.startFrom(document::withAvatar(twoRectangles(), "body.glb"), {}, false);
+    QTRY_VERIFY(workbench.body().has_value());
+    dressed.log.frame = frameOf(workbench.generation());
+    workbench.pollFrame();
+    workbench.liftArms();
+    QVERIFY(dressed.log.motion);
+    const auto up = dressed.log.motion;
+    QVERIFY(up->poses.front() == mannequin->body.mesh.vertices);
+    QVERIFY(std::ranges::max(up->poses.back(), {}, &Vec3::x).y > mannequin->body.landmarks.wristLeft.y + 0.3);
+
+    dressed.log.frame = frameOf(workbench.generation());
+    dressed.log.frame->body = Shared<body::Body>(mannequin->body);
+    workbench.pollFrame();
+    QVERIFY(workbench.bodyHasMoved());
+    workbench.liftArms();
+    QVERIFY(dressed.log.motion->poses.front() == up->poses.back());
+    QVERIFY(dressed.log.motion->poses.back() == up->poses.front());
 }
 
 void tst_Workbench::theEndOfTheFinishIsToldOnce() {

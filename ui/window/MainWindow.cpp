@@ -137,6 +137,7 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::messageChanged, status_, &StatusLine::tell);
     const auto showFrame = [this] {
         status_->showFrame(workbench_.frame() ? &*workbench_.frame() : nullptr, workbench_.isPlaying());
+        actions_["avatar.liftArms"]->setChecked(workbench_.bodyHasMoved());
     };
     connect(&workbench_, &Workbench::frameArrived, this, showFrame);
     connect(&workbench_, &Workbench::playingChanged, this, [this, showFrame] {

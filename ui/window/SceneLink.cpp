@@ -77,12 +77,15 @@ bool SceneLink::isDraped() const {
 }
 
 void SceneLink::showBody() {
-    view_.setBody(workbench_.body());
+    const auto& moved = workbench_.frame() ? workbench_.frame()->body : std::nullopt;
+    view_.setBody(moved ? moved : workbench_.body());
 }
 
 void SceneLink::showFrame() {
     if (dragging_) return;
     if (!workbench_.frame()) return view_.clearFrame();
+    if (workbench_.frame()->body || bodyHadMoved_) showBody();
+    bodyHadMoved_ = workbench_.bodyHasMoved();
     const bool first = view_.scene().frame == std::nullopt;
     view_.setFrame(*workbench_.frame());
     if (first || view_.gizmo() || workbench_.frame()->time == 0) showSelection();

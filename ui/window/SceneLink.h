@@ -31,6 +31,7 @@ private:
     View3D& view_;
     bool gizmoWanted_ = true;
     bool dragging_ = false;
+    bool bodyHadMoved_ = false; ///< in the frame that is shown
 };
 
 /// The frame with one piece moved from where `from` places it to where `to` does.

@@ -28,6 +28,13 @@ std::vector<ActionSpec> MainWindow::fileActions() {
         {"avatar.import", tr("&Import avatar…"), {}, "avatar", false, [this] { files_->importAvatar(); }},
         {"avatar.mannequin", tr("Toile's &mannequin"), {}, {}, false, [this] { files_->useMannequin(); }},
         {"avatar.remove", tr("&Remove avatar"), {}, {}, false, [this] { workbench_.removeAvatar(); }},
+        {"avatar.liftArms",
+         tr("&Lift the arms"),
+         QKeySequence(tr("Ctrl+L")),
+         {},
+         true,
+         [this] { workbench_.liftArms(); },
+         tr("See how the garment does with the arms up; again to let them down")},
         {"help.about", tr("&About Toile"), {}, {}, false, [this] { about(); }},
     };
 }

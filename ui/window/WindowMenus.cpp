@@ -38,7 +38,7 @@ void MainWindow::makeMenus() {
                       "look.regions", "look.seams",        "look.cutLines", "look.names",     "look.grid", "-",
                       "look3d.body",  "look3d.meshLines",  "look3d.seams",  "look3d.regions", "-"});
     actions_.fill(*view->addMenu(tr("Mouse in the &3D view")), {"habits.clo", "habits.blender", "habits.maya"});
-    menu(tr("&Avatar"), {"avatar.mannequin", "avatar.import", "avatar.remove"});
+    menu(tr("&Avatar"), {"avatar.mannequin", "avatar.import", "avatar.remove", "-", "avatar.liftArms"});
     menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset", "-", "simulation.finish",
                              "simulation.accuracy", "-", "simulation.saveCheckpoint", "simulation.resume"});
     menu(tr("&Help"), {"help.about"});

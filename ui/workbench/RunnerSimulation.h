@@ -18,6 +18,9 @@ public:
     void reset() override { runner_.reset(); }
     void finishAtRest(bool wanted) override { runner_.finishAtRest(wanted); }
     void hold(std::vector<simulation::Grip> grips) override { runner_.hold(std::move(grips)); }
+    void moveBody(std::shared_ptr<const geometry::VertexMotion> motion) override {
+        runner_.moveBody(std::move(motion));
+    }
     void askForCheckpoint() override { runner_.askForCheckpoint(); }
     [[nodiscard]] std::optional<Result<simulation::Checkpoint>> takeCheckpoint() override {
         return runner_.takeCheckpoint();

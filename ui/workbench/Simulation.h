@@ -2,12 +2,14 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/geometry/VertexMotion.h"
 #include "core/simulation/Checkpoint.h"
 #include "core/simulation/Frame.h"
 #include "core/simulation/Grips.h"
 #include "core/simulation/Scene.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 namespace toile::ui {
@@ -23,6 +25,7 @@ public:
     virtual void reset() = 0;
     virtual void finishAtRest(bool wanted) = 0;
     virtual void hold(std::vector<simulation::Grip> grips) = 0;
+    virtual void moveBody(std::shared_ptr<const geometry::VertexMotion> motion) = 0;
     virtual void askForCheckpoint() = 0;
     [[nodiscard]] virtual std::optional<Result<simulation::Checkpoint>> takeCheckpoint() = 0;
     virtual void resume(simulation::Checkpoint checkpoint) = 0;

@@ -82,6 +82,9 @@ public:
     void finishAtRest(bool wanted);
     /// What hands hold from now on; what plays follows them.
     void hold(std::vector<simulation::Grip> grips);
+    /// The avatar's arms go up by 60°, or back down, while the garment plays; what cannot be is told.
+    void liftArms();
+    [[nodiscard]] bool bodyHasMoved() const { return frame_ && frame_->body; }
     /// Writes where the simulation stands, once the frame step under way is done.
     void saveCheckpoint(const QString& path);
     /// The garment goes on from there, paused: now, or when its body has been read.

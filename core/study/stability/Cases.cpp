@@ -18,8 +18,8 @@ std::string_view nameOf(Verdict verdict) {
 
 std::vector<Case> allCases() {
     std::vector<Case> all;
-    for (const auto& chapter :
-         {stiffnessCases, degenerateCases, loadCases, contactCases, sewingCases, enduranceCases, handCases, fileCases})
+    for (const auto& chapter : {stiffnessCases, degenerateCases, loadCases, contactCases, sewingCases, enduranceCases,
+                                handCases, fileCases, motionCases})
         for (const Case& one : chapter()) all.push_back(one);
     std::ranges::stable_sort(all, {}, [](const Case& one) { return std::stoi(std::string(one.number.substr(1))); });
     return all;
@@ -31,8 +31,6 @@ std::vector<NotRun> casesNotRun() {
         {"S19", "a million cells", "Minutes and gigabytes: ./dev bench measures meshes of that size."},
         {"S30", "petticoat of three layers", notBuilt},
         {"S32", "knife pleats", "Pleats cannot be drawn yet."},
-        {"S35", "arms lifted in 0.3 s", "Bodies do not move yet."},
-        {"S37", "cloth knotted between arm and torso", "Bodies do not move yet."},
         {"S38", "one garment at 30, 10 and 3 mm", notBuilt},
     };
 }

@@ -66,5 +66,6 @@ struct NotRun {
 [[nodiscard]] std::vector<Case> enduranceCases();
 [[nodiscard]] std::vector<Case> handCases();
 [[nodiscard]] std::vector<Case> fileCases();
+[[nodiscard]] std::vector<Case> motionCases();
 
 } // namespace toile::study::stability

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/Contracts.h"
+#include "core/dynamics/BodyContact.h"
+#include "core/simulation/Simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+/// A garment on a body that moves.
+namespace toile::simulation {
+
+Result<void> Simulation::moveBody(std::shared_ptr<const geometry::VertexMotion> motion) {
+    constexpr double sameBody = 1e-3; // [m]
+    if (!body_) return fail(ErrorCode::invalidInput, "The scene has no body that could move.");
+    if (phase_ != Phase::draping)
+        return fail(ErrorCode::invalidInput, "The garment is still being put on: the body moves when it is worn.");
+    if (scene_.paper || drapingMethod_ != dynamics::Method::xpbd)
+        return fail(ErrorCode::unsupported, fmt::format("On a body that moves cloth is simulated by {} alone.",
+                                                        nameOf(dynamics::Method::xpbd)));
+    if (motion_) return fail(ErrorCode::invalidInput, "The body is still moving.");
+    if (auto sound = geometry::checkedMotion(*motion, body_->mesh(), sameBody); !sound) return sound;
+    motion_ = std::make_shared<collision::MovingSurface>(body_->mesh(), std::move(motion), state_.time);
+    body_ = std::shared_ptr<const collision::BodySurface>(motion_, &motion_->surface());
+    restingTime_ = 0;
+    rebuildPlan();
+    return {};
+}
+
+void Simulation::followBody() {
+    auto* contact = dynamic_cast<dynamics::BodyContact*>(plan_.find("body contact"));
+    if (motion_ && contact) contact->follow(*motion_);
+}
+
+/// A body that stands still is asked less often, and its bumps are where they are now.
+void Simulation::standStill() {
+    motion_->moveTo(motion_->ends());
+    auto surface = collision::BodySurface::create(body_->mesh());
+    expects(surface.has_value(), "a motion has finite poses");
+    body_ = std::make_shared<const collision::BodySurface>(std::move(*surface));
+    motion_.reset();
+    rebuildPlan();
+}
+
+/// After a frame step beside a body that moves.
+void Simulation::noteBody() {
+    if (state_.time > motion_->ends() - 1e-9) standStill();
+    const body::Body& atFirst = **scene_.body;
+    const std::vector<Vec3>& vertices = body_->mesh().vertices;
+    movedBody_.reset();
+    if (vertices == atFirst.mesh.vertices) return;
+    body::Body now = atFirst;
+    now.mesh.vertices = vertices;
+    movedBody_ = Shared<body::Body>(std::move(now));
+}
+
+/// In no substep may the body go a quarter as far as cloth keeps away from it: it cannot leap through. Where it goes
+/// far, the plan is made anew on the way, for other cells are near its bumps then.
+Result<dynamics::StepReport> Simulation::moveBesideBody(double duration, std::stop_token stop) {
+    constexpr double planReach = 0.01; // cells are taken for near a bump within 30 mm [m]
+    const double way = motion_->farthestBetween(state_.time, state_.time + duration);
+    const int parts = std::max(1, static_cast<int>(std::ceil(way / planReach)));
+    const double least = way / (scene_.settings.skinOffset / 4);
+    const int substeps = static_cast<int>(std::ceil(std::max<double>(substeps_, least) / parts));
+    for (int part = 0; part < parts; ++part) {
+        if (way > 0) rebuildPlan();
+        if (auto done = xpbd_->step(state_, duration / parts, substeps, gravity(), plan_.stages(), stop); !done)
+            return tl::unexpected(done.error());
+    }
+    return dynamics::StepReport{.parts = parts * substeps};
+}
+
+} // namespace toile::simulation

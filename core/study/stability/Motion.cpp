@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/body/ArmLift.h"
+#include "core/body/Mannequin.h"
+#include "core/simulation/Wearing.h"
+#include "core/study/Calibration.h"
+#include "core/study/stability/Cases.h"
+#include "core/study/validation/Pieces.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <numbers>
+
+/// Bodies that move faster than their cloth would like.
+namespace toile::study::stability {
+namespace {
+
+using simulation::Scene;
+using simulation::Simulation;
+
+constexpr double degree = std::numbers::pi / 180;
+/// To which position-based steps hold free cloth [m/s].
+constexpr double clothSpeed = 10;
+
+/// A strip of cloth of 20 mm mesh, its corner and its sides there.
+Scene stripBeside(const body::Body& body, double width, double height, const Transform& place) {
+    Scene scene;
+    scene.pattern.fabrics.push_back(validation::plainCloth());
+    pattern::Piece piece = validation::polygonPiece("strip", {{0, 0}, {width, 0}, {width, height}, {0, height}}, 0.02);
+    piece.placement = pattern::Placement{};
+    piece.placement->transform = place;
+    scene.pattern.pieces.push_back(Shared<pattern::Piece>(std::move(piece)));
+    scene.body = Shared<body::Body>(body);
+    scene.settings.selfContact = true;
+    scene.settings.bodyFriction = 4; // with the cloth's, enough to stay on a sloping arm
+    return scene;
+}
+
+/// What a motion did to cloth.
+struct Moved {
+    simulation::WearingReport report;
+    Metrics metrics;
+    std::string stopped;
+};
+
+/// Lets the cloth fall into its place for so many frame steps; then the arms are turned.
+Moved armsTurned(const Scene& scene, int before, double angle, double seconds) {
+    Moved out;
+    const double start = threadSeconds();
+    const auto motion = body::armLift(**scene.body, angle, seconds);
+    auto simulation = Simulation::create(scene);
+    if (!motion || !simulation) {
+        out.stopped = motion ? simulation.error().text : motion.error().text;
+        return out;
+    }
+    double speed = 0;
+    for (int frame = 0; frame < before && out.stopped.empty(); ++frame)
+        if (const auto done = simulation->advance(); !done) out.stopped = done.error().text;
+    auto report = simulation::wear(*simulation, std::make_shared<const geometry::VertexMotion>(*motion),
+                                   {.limit = 0.5, .finish = false}, {}, {},
+                                   [&](const Simulation& now) { speed = std::max(speed, now.largestSpeed()); });
+    if (!report) out.stopped = report.error().text;
+    else out.report = std::move(*report);
+    out.metrics.speed = speed;
+    out.metrics.distance = out.report.contact.bodyClearanceMinimum;
+    out.metrics.seconds = threadSeconds() - start;
+    return out;
+}
+
+/// A towel over the left forearm, half of it in front and half behind.
+Scene towelOverArm(const body::Body& body) {
+    const Vec3 &joint = std::ranges::find(body.axes, body::Limb::leftArm, &body::LimbAxis::limb)->points.front(),
+               &wrist = body.landmarks.wristLeft;
+    const Vec3 along = normalized(wrist - joint), across{0, 0, 1}, up = cross(across, along);
+    const Vec3 corner = joint + (wrist - joint) * 0.55 + up * 0.07 - across * 0.2;
+    return stripBeside(body, 0.2, 0.4,
+                       {.axisX = along, .axisY = across, .axisZ = cross(along, across), .origin = corner});
+}
+
+Findings s35ArmsLifted(const Effort& effort) {
+    Findings found;
+    const auto mannequin = body::makeMannequin({});
+    if (!mannequin) return {{tested("S35", "mannequin", false, mannequin.error().text)}, {}};
+    for (const double seconds : effort.quick ? std::vector{0.3} : std::vector{1.0, 0.3, 0.1}) {
+        const Moved run = armsTurned(towelOverArm(mannequin->body), 60, 120 * degree, seconds);
+        const simulation::ContactSummary& contact = run.report.contact;
+        const std::string what = fmt::format("towel over an arm that is lifted by 120° in {:.1f} s, at {:.1f} m/s: {} "
+                                             "intersections with the body at worst, {} after it",
+                                             seconds, run.report.bodySpeed, contact.bodyIntersections,
+                                             run.report.after.contact.bodyIntersections);
+        const double nearest = contact.bodyClearanceMinimum.value_or(-1);
+        const std::string why = !run.stopped.empty()            ? run.stopped
+                                : !contact.bodyClearanceMinimum ? "The towel fell off before."
+                                : nearest < 0                   ? "A node of the cloth came into the body."
+                                : contact.selfIntersections     ? "The cloth crossed itself."
+                                                                : "";
+        Row row = tested("S35", what, why.empty(), why, run.metrics);
+        if (why.empty() && contact.bodyIntersections > 0) {
+            row.verdict = Verdict::passWithWarning;
+            row.why = "Cells are cut by a thin limb for a moment: no node came into it, and the report says so.";
+        }
+        found.rows.push_back(std::move(row));
+    }
+    return found;
+}
+
+Findings s37ClothUnderArm(const Effort&) {
+    const auto mannequin = body::makeMannequin({});
+    if (!mannequin) return {{tested("S37", "mannequin", false, mannequin.error().text)}, {}};
+    const body::Body& body = mannequin->body;
+    // A strip that leans on the side of the trunk below the armpit; then the arm comes down on it.
+    const Vec3& joint = std::ranges::find(body.axes, body::Limb::leftArm, &body::LimbAxis::limb)->points.front();
+    const Transform place{
+        .axisX = {0, 0, -1}, .axisY = {0, 1, 0}, .axisZ = {1, 0, 0}, .origin = {joint.x + 0.03, joint.y - 0.32, 0.08}};
+    Scene scene = stripBeside(body, 0.16, 0.2, place);
+    scene.settings.gravity = {};
+    Moved run = armsTurned(scene, 1, -50 * degree, 0.5);
+    const simulation::ContactSummary& contact = run.report.contact;
+    const std::string what =
+        fmt::format("cloth caught under an arm that is lowered: {:.1f} mm in the body at worst, {} "
+                    "intersections with it, {} with itself",
+                    1000 * contact.bodyPenetrationMaximum, contact.bodyIntersections, contact.selfIntersections);
+    if (!run.stopped.empty() || !(*run.metrics.speed <= clothSpeed))
+        return {{tested("S37", what, false, run.stopped.empty() ? "The cloth was faster than it may be." : run.stopped,
+                        run.metrics)},
+                {}};
+    Row row = tested("S37", what, true, "", run.metrics);
+    if (!contact.outsideBody) {
+        row.verdict = Verdict::passWithWarning;
+        row.why = "It has nowhere to go; the report says how deep it is in the body.";
+    }
+    return {{std::move(row)}, {}};
+}
+
+} // namespace
+
+std::vector<Case> motionCases() {
+    return {{"S35", "arms lifted in 0.3 s", s35ArmsLifted},
+            {"S37", "cloth caught between arm and trunk", s37ClothUnderArm}};
+}
+
+} // namespace toile::study::stability
