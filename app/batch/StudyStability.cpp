@@ -24,11 +24,11 @@ std::string commandOf(const CasesOptions& options) {
 }
 
 /// Table, records and the map with its picture. False where gnuplot did not draw it.
-Result<bool> written(const CasesOptions& options, const Findings& all, const std::vector<NotRun>& notRun) {
+Result<bool> written(const CasesOptions& options, const Findings& all) {
     const std::filesystem::path folder(options.out);
     const study::Circumstances circumstances = circumstancesOf(commandOf(options));
-    if (auto done = writeReport(folder, stabilityText(all.rows, notRun, !all.map.empty(), circumstances),
-                                recordsOf(all.rows, all.map, notRun, circumstances));
+    if (auto done = writeReport(folder, stabilityText(all.rows, !all.map.empty(), circumstances),
+                                recordsOf(all.rows, all.map, circumstances));
         !done)
         return tl::unexpected(done.error());
     if (all.map.empty()) return true;
@@ -38,7 +38,7 @@ Result<bool> written(const CasesOptions& options, const Findings& all, const std
 }
 
 Result<Findings> run(const CasesOptions& options, std::stop_token stop) {
-    const auto chosen = chosenOf(allCases(), casesNotRun(), options.only, "stability");
+    const auto chosen = chosenOf(allCases(), std::vector<Case>{}, options.only, "stability");
     if (!chosen) return tl::unexpected(chosen.error());
     if (!options.out.empty())
         if (auto made = madeFolder(options.out); !made) return tl::unexpected(made.error());
@@ -51,10 +51,9 @@ Result<Findings> run(const CasesOptions& options, std::stop_token stop) {
         all.rows.insert(all.rows.end(), found.rows.begin(), found.rows.end());
         all.map.insert(all.map.end(), found.map.begin(), found.map.end());
     }
-    for (const NotRun& one : chosen->others) fmt::print("{:<4} {}: not run. {}\n", one.number, one.title, one.reason);
-    fmt::print("{}\n", summaryOf(all.rows, chosen->others));
+    fmt::print("{}.\n", summaryOf(all.rows));
     if (options.out.empty()) return all;
-    const auto pictures = written(options, all, chosen->others);
+    const auto pictures = written(options, all);
     if (!pictures) return tl::unexpected(pictures.error());
     fmt::print("{}/report.md{}\n", options.out, *pictures ? "" : withoutPictures);
     return all;

@@ -19,20 +19,10 @@ std::string_view nameOf(Verdict verdict) {
 std::vector<Case> allCases() {
     std::vector<Case> all;
     for (const auto& chapter : {stiffnessCases, degenerateCases, loadCases, contactCases, sewingCases, enduranceCases,
-                                handCases, fileCases, motionCases})
+                                handCases, fileCases, motionCases, skirtCases, sizeCases, pleatCases})
         for (const Case& one : chapter()) all.push_back(one);
     std::ranges::stable_sort(all, {}, [](const Case& one) { return std::stoi(std::string(one.number.substr(1))); });
     return all;
-}
-
-std::vector<NotRun> casesNotRun() {
-    constexpr std::string_view notBuilt = "It is not built yet.";
-    return {
-        {"S19", "a million cells", "Minutes and gigabytes: ./dev bench measures meshes of that size."},
-        {"S30", "petticoat of three layers", notBuilt},
-        {"S32", "knife pleats", "Pleats cannot be drawn yet."},
-        {"S38", "one garment at 30, 10 and 3 mm", notBuilt},
-    };
 }
 
 Row judged(std::string number, std::string what, const Watched& run, dynamics::Method method) {

@@ -44,12 +44,6 @@ struct Case {
 };
 [[nodiscard]] std::vector<Case> allCases();
 
-/// Cases of the specification that are not run here, with the reason.
-struct NotRun {
-    std::string_view number, title, reason;
-};
-[[nodiscard]] std::vector<NotRun> casesNotRun();
-
 /// A row by the rules of its method: bounded energy and solved steps. What ended early fails.
 [[nodiscard]] Row judged(std::string number, std::string what, const Watched& run, dynamics::Method method);
 /// A row of something that must be refused with a sentence.
@@ -67,5 +61,8 @@ struct NotRun {
 [[nodiscard]] std::vector<Case> handCases();
 [[nodiscard]] std::vector<Case> fileCases();
 [[nodiscard]] std::vector<Case> motionCases();
+[[nodiscard]] std::vector<Case> skirtCases();
+[[nodiscard]] std::vector<Case> sizeCases();
+[[nodiscard]] std::vector<Case> pleatCases();
 
 } // namespace toile::study::stability

@@ -43,16 +43,13 @@ std::string lineOf(const Row& row) {
     return fmt::format("{:<4} {:<72} {:<9} {}", row.number, row.what, nameOf(row.verdict), row.why);
 }
 
-std::string summaryOf(const std::vector<Row>& rows, const std::vector<NotRun>& notRun) {
+std::string summaryOf(const std::vector<Row>& rows) {
     const auto count = [&](Verdict verdict) { return std::ranges::count(rows, verdict, &Row::verdict); };
-    std::string text = fmt::format("{} PASS, {} PASS-WARN, {} REFUSED, {} FAIL", count(Verdict::pass),
-                                   count(Verdict::passWithWarning), count(Verdict::refused), count(Verdict::fail));
-    return text +
-           (notRun.empty() ? "." : fmt::format("; {} case{} not run.", notRun.size(), notRun.size() == 1 ? "" : "s"));
+    return fmt::format("{} PASS, {} PASS-WARN, {} REFUSED, {} FAIL", count(Verdict::pass),
+                       count(Verdict::passWithWarning), count(Verdict::refused), count(Verdict::fail));
 }
 
-std::string stabilityText(const std::vector<Row>& rows, const std::vector<NotRun>& notRun, bool withMap,
-                          const Circumstances& circumstances) {
+std::string stabilityText(const std::vector<Row>& rows, bool withMap, const Circumstances& circumstances) {
     std::string text;
     const auto out = std::back_inserter(text);
     fmt::format_to(
@@ -65,14 +62,12 @@ std::string stabilityText(const std::vector<Row>& rows, const std::vector<NotRun
         "| case | what | energy % | speed m/s | strain % | residual | Newton a step | distance mm | CPU s | verdict | "
         "|\n"
         "|---|---|---|---|---|---|---|---|---|---|---|\n",
-        circumstances.command, circumstances.program, circumstances.processor, summaryOf(rows, notRun));
+        circumstances.command, circumstances.program, circumstances.processor, summaryOf(rows));
     for (const Row& row : rows)
         fmt::format_to(out, "| {} | {} | {} | {} | {} | {} | {} | {} | {:.2g} | {} | {} |\n", row.number, row.what,
                        textOf(row.metrics.energyGrowth, 100), textOf(row.metrics.speed),
                        textOf(row.metrics.strain, 100), textOf(row.metrics.residual), textOf(row.metrics.newtonPerStep),
                        textOf(row.metrics.distance, 1000), row.metrics.seconds, nameOf(row.verdict), row.why);
-    for (const NotRun& one : notRun)
-        fmt::format_to(out, "| {} | {} | | | | | | | | not run | {} |\n", one.number, one.title, one.reason);
     if (withMap)
         text +=
             "\nThe map of S1. A cell's colour is the error; hatched: the cap of position-based dynamics used springs "
@@ -81,7 +76,7 @@ std::string stabilityText(const std::vector<Row>& rows, const std::vector<NotRun
 }
 
 std::vector<Json> recordsOf(const std::vector<Row>& rows, const std::vector<MapCell>& map,
-                            const std::vector<NotRun>& notRun, const Circumstances& circumstances) {
+                            const Circumstances& circumstances) {
     std::vector<Json> records;
     for (const Row& row : rows) {
         Json record;
@@ -91,12 +86,6 @@ std::vector<Json> recordsOf(const std::vector<Row>& rows, const std::vector<MapC
         records.push_back(std::move(record));
     }
     for (const MapCell& cell : map) records.push_back(toJson(cell));
-    for (const NotRun& one : notRun) {
-        Json record;
-        record.set("case", std::string(one.number)).set("what", std::string(one.title));
-        record.set("verdict", "not run").set("reason", std::string(one.reason));
-        records.push_back(std::move(record));
-    }
     for (Json& record : records) note(record, "toile-stability-1", circumstances);
     return records;
 }
