@@ -84,11 +84,6 @@ Vec3 turnedAboutForward(const Vec3& p, const Vec3& centre, double angle) {
     return {centre.x + c * x - s * y, centre.y + s * x + c * y, p.z};
 }
 
-const LimbAxis* axisOf(const Body& body, Limb limb) {
-    const auto found = std::ranges::find(body.axes, limb, &LimbAxis::limb);
-    return found != body.axes.end() && found->points.size() > 1 ? &*found : nullptr;
-}
-
 } // namespace
 
 Result<std::vector<double>> armShares(const Body& body) {

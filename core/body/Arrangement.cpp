@@ -21,11 +21,6 @@ Transform frameAlong(const Vec3& origin, const Vec3& along) {
     return {cross(y, z), y, z, origin};
 }
 
-const LimbAxis* axisOf(const Body& body, Limb limb) {
-    const auto found = std::ranges::find(body.axes, limb, &LimbAxis::limb);
-    return found == body.axes.end() || found->points.size() < 2 ? nullptr : &*found;
-}
-
 double crownOf(const Body& body) {
     return geometry::boundsOf(body.mesh.vertices).high.y;
 }

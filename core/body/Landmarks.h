@@ -3,6 +3,7 @@
 
 #include "core/geometry/TriangleMesh.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -42,5 +43,11 @@ struct Body {
     std::vector<LimbAxis> axes; ///< empty when the mesh is not a human body (a table)
     friend bool operator==(const Body&, const Body&) = default;
 };
+
+/// The middle line of a limb, of two points at least; null when the body has none.
+[[nodiscard]] inline const LimbAxis* axisOf(const Body& body, Limb limb) {
+    const auto found = std::ranges::find(body.axes, limb, &LimbAxis::limb);
+    return found == body.axes.end() || found->points.size() < 2 ? nullptr : &*found;
+}
 
 } // namespace toile::body

@@ -22,8 +22,8 @@ struct Tape {
 };
 
 const std::vector<Vec3>* lineOf(const Body& body, Limb limb) {
-    const auto axis = std::ranges::find(body.axes, limb, &LimbAxis::limb);
-    return axis != body.axes.end() && axis->points.size() > 1 ? &axis->points : nullptr;
+    const LimbAxis* axis = axisOf(body, limb);
+    return axis ? &axis->points : nullptr;
 }
 
 /// Where a line that runs down passes a height; beyond its ends straight above or below them.

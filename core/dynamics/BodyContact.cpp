@@ -108,13 +108,17 @@ void BodyContact::project(Substep& substep) {
     if (pushing_) pushing_->anchors.clear();
     if (motion_) follow(substep.time);
     const ContactPace pace(substep.duration, settings_.pushOutTime, settings_.pushOutSpeed);
-    const auto meetOne = [&](std::size_t s) { motion_ ? meetMoving(s, pace, substep) : meet(s, pace, substep); };
     // Particles come last: where samples between them have pushed them aside their own friction must still hold them.
     // The other way round a tight band creeps round its body.
-    for (const int s : blends_) meetOne(s);
+    for (const int s : blends_) meet(s, pace, substep);
     inParts(substep.team, static_cast<int>(alone_.size()), leastShare, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) meetOne(alone_[i]);
+        for (int i = begin; i < end; ++i) meet(alone_[i], pace, substep);
     });
+}
+
+void BodyContact::follow(double time) {
+    motion_->moveTo(time);
+    tracker_.bodyMoved(motion_->farthestWay());
 }
 
 void BodyContact::meet(std::size_t s, const ContactPace& pace, Substep& substep) {
@@ -126,30 +130,21 @@ void BodyContact::meet(std::size_t s, const ContactPace& pace, Substep& substep)
     }
     sample.normalForce *= pace.remembered();
     const Vec3 before = at(sample, substep.previous);
+    if (motion_) return meetMoving(s, now, before, pace, substep);
     if (squaredLength(now - before) > sample.distance * sample.distance) // could have crossed the skin
         if (const auto touch = collision::firstTouch(tracker_.body(), before, now, sample.distance))
             return resolve(sample, {touch->point, touch->normal}, now, before, pace, substep);
     if (const auto* near = tracker_.near(s, now, sample.distance)) resolve(sample, *near, now, before, pace, substep);
 }
 
-void BodyContact::follow(double time) {
-    motion_->moveTo(time);
-    tracker_.bodyMoved(motion_->farthestWay());
-}
-
 /// Beside a body that moves, cloth is seen from the place of the body it is near: what counts is the way relative to
 /// it.
-void BodyContact::meetMoving(std::size_t s, const ContactPace& pace, Substep& substep) {
+void BodyContact::meetMoving(std::size_t s, const Vec3& now, const Vec3& before, const ContactPace& pace,
+                             Substep& substep) {
     Sample& sample = samples_[s];
-    const Vec3 now = at(sample, substep.positions);
-    if (tracker_.stillFar(s, now, sample.distance)) {
-        sample.normalForce = 0;
-        return;
-    }
-    sample.normalForce *= pace.remembered();
     const collision::SurfacePoint near = tracker_.find(s, now);
-    const Vec3 before = at(sample, substep.previous), carried = before + motion_->wayOf(near);
-    if (squaredLength(now - carried) > sample.distance * sample.distance) // could have crossed the skin
+    const Vec3 carried = before + motion_->wayOf(near);
+    if (squaredLength(now - carried) > sample.distance * sample.distance)
         if (const auto touch = collision::firstTouch(tracker_.body(), carried, now, sample.distance))
             return resolve(sample, {touch->point, touch->normal}, now, before + motion_->wayOf(*touch), pace, substep);
     if (near.signedDistance <= sample.distance) resolve(sample, {near.point, near.normal}, now, carried, pace, substep);

@@ -120,8 +120,8 @@ private:
         return sum;
     }
     void follow(double time);
-    void meetMoving(std::size_t sample, const ContactPace& pace, Substep& substep);
     void meet(std::size_t sample, const ContactPace& pace, Substep& substep);
+    void meetMoving(std::size_t sample, const Vec3& now, const Vec3& before, const ContactPace& pace, Substep& substep);
     void resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now, const Vec3& before,
                  const ContactPace& pace, Substep& substep) const;
     [[nodiscard]] std::optional<collision::SmoothValue> dentingAt(int sample, const Vec3& now) const;

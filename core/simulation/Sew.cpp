@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Sew.h"
 
+#include "core/base/CpuTime.h"
 #include "core/dynamics/Energy.h"
 #include "core/dynamics/SelfContact.h"
 #include "core/simulation/Inspect.h"
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <fmt/format.h>
 #include <numeric>
 #include <sys/resource.h>
@@ -21,10 +21,6 @@ constexpr double restBeforeFinish = 0.5; // [s]
 std::size_t peakBytes() {
     rusage usage{};
     return getrusage(RUSAGE_SELF, &usage) == 0 ? 1024 * static_cast<std::size_t>(usage.ru_maxrss) : 0;
-}
-
-double processSeconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 std::string describe(const Simulation& simulation) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Sew.h"
+#include "core/simulation/Wearing.h"
 
 #include <numbers>
 
@@ -164,6 +165,21 @@ Json toJson(const SewReport& report) {
                  return item;
              }));
     return json;
+}
+
+Json toJson(const WearingReport& report) {
+    Json json;
+    json.set("seconds", report.seconds).set("steps", report.steps).set("bodySpeedMaximum", report.bodySpeed);
+    json.set("bodyPenetrationMaximum", report.contact.bodyPenetrationMaximum);
+    json.set("bodyClearanceMinimum", numberOrNull(report.contact.bodyClearanceMinimum));
+    json.set("bodyIntersections", report.contact.bodyIntersections);
+    json.set("selfIntersections", report.contact.selfIntersections);
+    json.set("outsideBody", report.contact.outsideBody).set("hemRise", report.hemRise);
+    json.set("atRest", report.after.atRest);
+    json.set("residual", numberOrNull(report.after.residual));
+    json.set("warpMaximum", report.after.strain.warpMaximum).set("weftMaximum", report.after.strain.weftMaximum);
+    json.set("cpuSeconds", report.cpuSeconds + report.after.cpuSeconds);
+    return json.set("resultHash", report.after.resultHash);
 }
 
 } // namespace toile::simulation

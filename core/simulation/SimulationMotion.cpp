@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/Contracts.h"
 #include "core/dynamics/BodyContact.h"
 #include "core/simulation/Simulation.h"
 
@@ -32,12 +31,9 @@ void Simulation::followBody() {
     if (motion_ && contact) contact->follow(*motion_);
 }
 
-/// A body that stands still is asked less often, and its bumps are where they are now.
+/// The surface stays the one that moved: cloth that was flung by it still wants a closer look.
 void Simulation::standStill() {
     motion_->moveTo(motion_->ends());
-    auto surface = collision::BodySurface::create(body_->mesh());
-    expects(surface.has_value(), "a motion has finite poses");
-    body_ = std::make_shared<const collision::BodySurface>(std::move(*surface));
     motion_.reset();
     rebuildPlan();
 }

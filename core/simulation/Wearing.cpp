@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Wearing.h"
 
+#include "core/base/CpuTime.h"
 #include "core/simulation/Inspect.h"
 
 #include <algorithm>
-#include <ctime>
 
 namespace toile::simulation {
 namespace {
-
-double processSeconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 double lowestPoint(const Simulation& simulation) {
     return std::ranges::min(simulation.state().positions, {}, &Vec3::y).y;
@@ -27,10 +23,6 @@ void keepWorst(ContactSummary& worst, const ContactSummary& now) {
     worst.nodesInWrongOrder = std::max(worst.nodesInWrongOrder, now.nodesInWrongOrder);
     worst.guarantee = worst.guarantee && now.guarantee;
     worst.outsideBody = worst.outsideBody && now.outsideBody;
-}
-
-Json numberOrNull(const std::optional<double>& value) {
-    return value ? Json(*value) : Json();
 }
 
 } // namespace
@@ -69,21 +61,6 @@ Result<WearingReport> wear(Simulation& simulation, std::shared_ptr<const geometr
     result.after.worn.reset();
     result.hemRise = lowestPoint(simulation) - hem;
     return result;
-}
-
-Json toJson(const WearingReport& report) {
-    Json json;
-    json.set("seconds", report.seconds).set("steps", report.steps).set("bodySpeedMaximum", report.bodySpeed);
-    json.set("bodyPenetrationMaximum", report.contact.bodyPenetrationMaximum);
-    json.set("bodyClearanceMinimum", numberOrNull(report.contact.bodyClearanceMinimum));
-    json.set("bodyIntersections", report.contact.bodyIntersections);
-    json.set("selfIntersections", report.contact.selfIntersections);
-    json.set("outsideBody", report.contact.outsideBody).set("hemRise", report.hemRise);
-    json.set("atRest", report.after.atRest);
-    json.set("residual", numberOrNull(report.after.residual));
-    json.set("warpMaximum", report.after.strain.warpMaximum).set("weftMaximum", report.after.strain.weftMaximum);
-    json.set("cpuSeconds", report.cpuSeconds + report.after.cpuSeconds);
-    return json.set("resultHash", report.after.resultHash);
 }
 
 } // namespace toile::simulation

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/scenes/Drapes.h"
 
+#include "core/base/CpuTime.h"
 #include "core/simulation/Inspect.h"
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,11 +13,6 @@ namespace toile::study::scenes {
 namespace {
 
 using simulation::Simulation;
-
-/// Of all threads [s].
-double processSeconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 /// The worst of all frames that were looked at.
 struct Seen {
