@@ -4,6 +4,7 @@
 #include "samples/Blouse.h"
 #include "samples/BodyScenes.h"
 #include "samples/CircleSkirt.h"
+#include "samples/GatheredSkirt.h"
 #include "samples/RegionScenes.h"
 #include "samples/Shirt.h"
 #include "samples/SmallScenes.h"
@@ -34,6 +35,7 @@ Result<std::vector<NamedDocument>> sampleDocuments(const Wearers& wearers) {
         {"shirt", std::move(*buttoned)},
         {"t-shirt", std::move(*knitted)},
         {"circle-skirt", circleSkirt(m, body)},
+        {"gathered-skirt", gatheredSkirt(m, body)},
         {"trousers", std::move(*legs)},
         {"sheet-two-corners", squareSheet(SheetPins::twoCorners)},
         {"sheet-one-edge", squareSheet(SheetPins::oneEdge)},

@@ -44,7 +44,8 @@ Json pieceJson(const pattern::Pattern& pattern, const pattern::Piece& authored) 
 Json seamJson(const pattern::Pattern& pattern, const pattern::Seam& seam) {
     const double a = sideLength(pattern, seam.sides[0]), b = sideLength(pattern, seam.sides[1]);
     double ease = 0;
-    for (const pattern::SeamSection& section : seam.sections) ease += section.ease;
+    if (const auto sections = pattern::sectionsOf(pattern, seam))
+        for (const pattern::SectionLengths& section : *sections) ease += section.wantedEase;
     Json json;
     json.set("id", seam.id.value).set("name", seam.name).set("lengthA", a).set("lengthB", b);
     return json.set("difference", a - b).set("declaredEase", ease).set("order", seam.order);

@@ -2,6 +2,7 @@
 #include "core/cloth/Patch.h"
 
 #include "core/base/Contracts.h"
+#include "core/cloth/DrawnSides.h"
 #include "core/cloth/NodeChains.h"
 #include "core/cloth/PatchBending.h"
 
@@ -165,20 +166,20 @@ private:
         for (const PatchRectangle& cell : patch_.rectangles) {
             auto c = constants.of(cell.factors);
             if (!c) return tl::unexpected(c.error());
-            const double a = width(cell), b = height(cell), d = std::hypot(a, b);
-            CellSprings springs = cellSprings(*c, a, b);
+            const DrawnRectangle rest = drawnRectangle(patch_, cell);
+            CellSprings springs = cellSprings(*c, width(cell), height(cell));
             if (springs.isNegative()) {
                 ++report_.clampedCells;
                 springs.weft = std::max(0.0, springs.weft);
                 springs.warp = std::max(0.0, springs.warp);
             }
             const auto& n = cell.nodes;
-            sides.add(n[0], n[1], a, springs.weft);
-            sides.add(n[3], n[2], a, springs.weft);
-            sides.add(n[0], n[3], b, springs.warp);
-            sides.add(n[1], n[2], b, springs.warp);
-            diagonals.add(n[0], n[2], d, springs.diagonal);
-            diagonals.add(n[1], n[3], d, springs.diagonal);
+            sides.add(n[0], n[1], rest.sides[0], springs.weft);
+            sides.add(n[3], n[2], rest.sides[2], springs.weft);
+            sides.add(n[0], n[3], rest.sides[3], springs.warp);
+            sides.add(n[1], n[2], rest.sides[1], springs.warp);
+            diagonals.add(n[0], n[2], rest.diagonal, springs.diagonal);
+            diagonals.add(n[1], n[3], rest.diagonal, springs.diagonal);
         }
         model_.clampedCells += report_.clampedCells;
         sides.finish(patch_.particles);
@@ -191,6 +192,10 @@ private:
         for (const PatchRectangle& cell : patch_.rectangles) {
             auto c = constants.of(cell.factors);
             if (!c) return tl::unexpected(c.error());
+            if (drawnRectangle(patch_, cell).drawn) {
+                appendHalves(cell, *c);
+                continue;
+            }
             MembraneCell element{.width = width(cell), .height = height(cell), .stiffness = *c, .tension = tension_};
             std::ranges::transform(cell.nodes, element.particles.begin(), [&](int n) { return patch_.particles[n]; });
             model_.cells.push_back(element);
@@ -198,21 +203,33 @@ private:
         return {};
     }
 
+    /// A membrane cell is a rectangle at rest; one that is drawn up becomes two triangles.
+    void appendHalves(const PatchRectangle& cell, const MembraneStiffness& stiffness) {
+        const auto corners = drawnCorners(patch_, cell.nodes);
+        for (const auto& [a, b, c] : {std::array{0, 1, 2}, std::array{2, 3, 0}})
+            appendTriangle({cell.nodes[a], cell.nodes[b], cell.nodes[c]}, {corners[a], corners[b], corners[c]},
+                           stiffness);
+    }
+
+    void appendTriangle(const std::array<int, 3>& nodes, const std::array<Vec2, 3>& rest,
+                        const MembraneStiffness& stiffness) {
+        const Vec2 u = rest[1] - rest[0], v = rest[2] - rest[0];
+        const double twice = cross(u, v);
+        expects(twice > 0, "triangles run counter-clockwise and have an area");
+        MembraneTriangle element{.inverseRest = {v.y / twice, -v.x / twice, -u.y / twice, u.x / twice},
+                                 .area = 0.5 * twice,
+                                 .stiffness = stiffness,
+                                 .tension = tension_};
+        std::ranges::transform(nodes, element.particles.begin(), [&](int n) { return patch_.particles[n]; });
+        model_.triangles.push_back(element);
+    }
+
     Result<void> appendTriangles(bool membrane) {
         Constants constants(fabric_, !membrane);
         for (const PatchTriangle& cell : patch_.triangles) {
             auto c = constants.of(cell.factors);
             if (!c) return tl::unexpected(c.error());
-            const double twice = doubleArea(cell);
-            expects(twice > 0, "triangles run counter-clockwise and have an area");
-            const Vec2 u = patch_.material[cell.nodes[1]] - patch_.material[cell.nodes[0]];
-            const Vec2 v = patch_.material[cell.nodes[2]] - patch_.material[cell.nodes[0]];
-            MembraneTriangle element{.inverseRest = {v.y / twice, -v.x / twice, -u.y / twice, u.x / twice},
-                                     .area = 0.5 * twice,
-                                     .stiffness = *c,
-                                     .tension = tension_};
-            std::ranges::transform(cell.nodes, element.particles.begin(), [&](int n) { return patch_.particles[n]; });
-            model_.triangles.push_back(element);
+            appendTriangle(cell.nodes, drawnCorners(patch_, cell.nodes), *c);
         }
         return {};
     }

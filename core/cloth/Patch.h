@@ -36,6 +36,14 @@ struct PatchSlave {
     std::vector<std::pair<int, double>> masters;
 };
 
+/// A side of a cell that stitching draws up: at rest it is `factor` times as long as it was cut. Ends: the smaller node
+/// first.
+struct DrawnSide {
+    std::pair<int, int> ends;
+    double factor = 1;
+    friend auto operator<=>(const DrawnSide&, const DrawnSide&) = default;
+};
+
 /// One piece of mesh as plain numbers. Nodes are its own; several nodes may be the same particle (a sewn seam, a
 /// closed dart): each side keeps its own rest lengths.
 struct Patch {
@@ -45,6 +53,7 @@ struct Patch {
     std::vector<PatchTriangle> triangles;
     std::vector<PatchSlave> slaves;
     std::vector<std::pair<int, int>> creases; ///< sides that nothing keeps flat: the smaller node first, sorted
+    std::vector<DrawnSide> drawn;             ///< sides that a thread draws up, sorted
 };
 
 enum class CellForm {

@@ -3,6 +3,7 @@
 
 #include "core/cloth/Patch.h"
 #include "core/pattern/PatternFabrics.h"
+#include "core/simulation/DrawnUp.h"
 #include "core/simulation/SeamHinges.h"
 
 #include <algorithm>
@@ -80,6 +81,7 @@ Result<Garment> makeGarment(const Pattern& pattern, Shared<meshing::GarmentMesh>
     garment.particles = particleMap(*garment.mesh, garment.mergedSeams);
     garment.halfThickness.assign(garment.particles.particleCount, 0);
     garment.friction.assign(garment.particles.particleCount, 0);
+    std::vector<std::vector<cloth::DrawnSide>> drawn = drawnUp(pattern, *garment.mesh, garment.mergedSeams);
     for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
         const Piece& piece = *pattern.pieces[i];
         const meshing::PieceMesh& pieceMesh = garment.mesh->pieces[i];
@@ -90,7 +92,9 @@ Result<Garment> makeGarment(const Pattern& pattern, Shared<meshing::GarmentMesh>
         const std::span<const int> particles(garment.particles.particleOf.data() + garment.particles.firstNode[i],
                                              pieceMesh.nodes.size());
         const Piece source = pattern::resolved(pattern, piece);
-        const auto report = cloth::appendPatch(garment.model, patchOf(source, pieceMesh, particles), *fabric,
+        cloth::Patch patch = patchOf(source, pieceMesh, particles);
+        patch.drawn = std::move(drawn[i]);
+        const auto report = cloth::appendPatch(garment.model, patch, *fabric,
                                                {paper ? cloth::CellForm::springs : formFor(fabric->kind)});
         if (!report) return tl::unexpected(report.error());
         for (const int particle : particles) {
