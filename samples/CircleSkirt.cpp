@@ -26,8 +26,6 @@ std::vector<Stroke> halfRing(double inner, double outer) {
 }
 
 constexpr double droop = 0.30; // each half falls away to its side, just enough to pass beneath the hands [rad]
-constexpr double bandSpacing =
-    0.02;                      // of the waistband at most: longer cells find no hold on the curve of the waist [m]
 constexpr double below = 0.01; // the ridge lies so far below the waistband, which stands round the body already [m]
 
 /// The half plane that falls to the left from a ridge over the centre line, as near as the body lets it come.
@@ -56,7 +54,7 @@ document::Document circleSkirt(const body::Measurements& m, const body::Body& bo
     left.placement = placedHalf(body, inner, inner + s.length, body.landmarks.waist.y - lowered);
     const Piece right = mirrorPiece("skirt-right", "Skirt right", left);
     const Piece band =
-        draftWaistband(stiff, body, {waist, s.waistbandWidth, std::min(s.spacing, bandSpacing)}, lowered);
+        draftWaistband(stiff, body, {waist, s.waistbandWidth, std::min(s.spacing, waistbandSpacing)}, lowered);
 
     document::Document document;
     document.pattern.fabrics = {fabric, stiff};
@@ -68,10 +66,7 @@ document::Document circleSkirt(const body::Measurements& m, const body::Body& bo
         seam("waist right", {along(right, "waist-back"), along(right, "waist-front")}, {along(band, "bottom-right")}),
         waistbandSeam(band),
     };
-    document.avatarFile = "bodies/mannequin.glb";
-    document.scene.substeps = waistbandSubsteps;
-    document.scene.selfContact = true; // its folds touch
-    document.scene.damping = 1;        // so much cloth that hangs free swings for long [1/s]
+    hangOnWaistband(document);
     return document;
 }
 

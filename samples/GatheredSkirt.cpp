@@ -13,8 +13,6 @@ namespace {
 
 using namespace pattern;
 
-constexpr double bandSpacing = 0.02; // of the waistband at most, as of the circle skirt's [m]
-
 /// A rectangle below y = 0, its middle at x = 0; `a` is its +x half.
 Piece panel(const char* id, const char* name, const Fabric& fabric, double width, const GatheredSkirtSettings& s) {
     Piece piece = pieceNamed(id, name, fabric, s.spacing);
@@ -41,7 +39,7 @@ document::Document gatheredSkirt(const body::Measurements& m, const body::Body& 
     Piece back = panel("skirt-back", "Skirt back", fabric, width, s);
     back.placement = Placement{{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {0, top, ring.centre.z - radius}}, halfRing};
     const Piece band =
-        draftWaistband(stiff, body, {waist, s.waistbandWidth, std::min(s.spacing, bandSpacing)}, lowered);
+        draftWaistband(stiff, body, {waist, s.waistbandWidth, std::min(s.spacing, waistbandSpacing)}, lowered);
 
     document::Document document;
     document.pattern.fabrics = {fabric, stiff};
@@ -55,10 +53,7 @@ document::Document gatheredSkirt(const body::Measurements& m, const body::Body& 
     };
     for (const std::size_t gathered : {2, 3})
         document.pattern.seams[gathered].sections = {{.ease = 0, .gatherRatio = s.gatherRatio}};
-    document.avatarFile = "bodies/mannequin.glb";
-    document.scene.substeps = waistbandSubsteps;
-    document.scene.selfContact = true; // its folds touch
-    document.scene.damping = 1;        // as the circle skirt's [1/s]
+    hangOnWaistband(document);
     return document;
 }
 

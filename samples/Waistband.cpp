@@ -57,6 +57,13 @@ Piece draftWaistband(const Fabric& fabric, const body::Body& body, const Waistba
     return band;
 }
 
+void hangOnWaistband(document::Document& skirt) {
+    skirt.avatarFile = "bodies/mannequin.glb";
+    skirt.scene.substeps = waistbandSubsteps;
+    skirt.scene.selfContact = true; // its folds touch
+    skirt.scene.damping = 1;        // so much cloth that hangs free swings for long [1/s]
+}
+
 Seam waistbandSeam(const Piece& band) {
     return seam("waistband seam", {along(band, "end-left")}, {against(band, "end-right")});
 }

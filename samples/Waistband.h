@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/document/Document.h"
 #include "samples/Placing.h"
 #include "samples/Sewing.h"
 
@@ -15,6 +16,12 @@ struct WaistbandSettings {
 /// Substeps of a frame step with which a ring of interlined cloth carries a garment that hangs on nothing else: fewer
 /// let it stretch and slip, at a spacing of 20 mm by 25 mm with 90 and by 10 mm with these.
 inline constexpr int waistbandSubsteps = 250;
+
+/// ε_m of a skirt's waistband at most: longer cells find no hold on the curve of the waist [m].
+inline constexpr double waistbandSpacing = 0.02;
+
+/// The scene of a skirt that hangs on a waistband: on the usual mannequin, damped, its folds kept apart.
+void hangOnWaistband(document::Document& skirt);
 
 /// A fabric with a fusible interlining: what keeps a waistband's length and lets it stay at the waist.
 [[nodiscard]] pattern::Fabric interlined(pattern::Fabric fabric);

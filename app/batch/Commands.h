@@ -37,7 +37,7 @@ struct SewOptions {
     double limit = 20;             ///< [s]
     double hold = 10;              ///< after rest, of garments without a neck opening [s]
     std::optional<double> step;    ///< frame step [s]
-    int substeps = 0;              ///< 0 = chosen from the mesh
+    std::optional<int> substeps;   ///< 0 = chosen from the mesh; absent = as the document says
     std::string method = "xpbd";   ///< a name of sewMethods()
     bool paper = false;            ///< the method of the 2002 paper end to end
     bool arrange = false;          ///< pieces that would start in the body are moved out of it

@@ -31,7 +31,8 @@ Json pieceJson(const pattern::Pattern& pattern, const pattern::Piece& authored) 
     json.set("fabric", piece.fabric.value);
     json.set("interfacingBending", fused ? Json(fused->bendingFactor) : Json());
     json.set("interfacingDensity", fused ? Json(fused->arealDensity) : Json());
-    json.set("layer", piece.layer)
+    json.set("plies", piece.plies)
+        .set("layer", piece.layer)
         .set("pressure", piece.pressure)
         .set("spacing", piece.spacing)
         .set("area", pattern::areaOf(piece));

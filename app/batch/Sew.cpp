@@ -37,11 +37,22 @@ Result<void> checked(const SewOptions& options) {
     return checkedOutput(options.report, {});
 }
 
+/// A document says how many substeps its own mesh needs. What stiffness a substep lets cloth have falls with the square
+/// of the spacing, and rises with that of the number of substeps: on a mesh twice as fine twice as many keep it.
+int substepsAt(const simulation::Scene& scene, double spacing) {
+    const auto spacingOf = [&](const auto& piece) { return pattern::resolved(scene.pattern, *piece).spacing; };
+    const double own = scene.pattern.pieces.empty()
+                           ? spacing
+                           : spacingOf(*std::ranges::min_element(scene.pattern.pieces, {}, spacingOf));
+    return static_cast<int>(std::ceil(scene.settings.substeps * std::max(1.0, own / spacing)));
+}
+
 void applyOptions(OpenedScene& opened, const SewOptions& options) {
     simulation::Scene& scene = opened.scene;
     scene.paper = options.paper;
     if (options.step) scene.settings.frameStep = *options.step;
-    if (options.substeps > 0) scene.settings.substeps = options.substeps;
+    if (options.substeps) scene.settings.substeps = *options.substeps;
+    else if (options.spacing) scene.settings.substeps = substepsAt(scene, *options.spacing);
     if (options.arrange && scene.body) scene.pattern = simulation::startingClearOf(scene.pattern, **scene.body);
     for (const auto& piece : scene.pattern.pieces)
         if (!piece->placement)

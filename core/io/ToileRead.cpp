@@ -181,6 +181,7 @@ Shared<Piece> pieceOf(JsonNode& node) {
     piece.name = node["name"].text(piece.id.value);
     piece.fabric = FabricId(node["fabric"].text());
     if (const JsonNode fused = node["interfacing"]; fused.exists()) piece.interfacing = interfacingOf(fused);
+    piece.plies = node["plies"].integer(1, -1'000'000, 1'000'000);
     piece.layer = node["layer"].integer(0, -1'000'000, 1'000'000);
     piece.pressure = node["pressure"].number(piece.pressure);
     piece.spacing = lengthOf(node["spacing"], piece.spacing);

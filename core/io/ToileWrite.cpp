@@ -158,6 +158,7 @@ Json pieceJson(const Shared<Piece>& shared) {
     Json json;
     json.set("id", piece.id.value).set("name", piece.name).set("fabric", piece.fabric.value);
     if (piece.interfacing) json.set("interfacing", interfacingJson(*piece.interfacing));
+    if (piece.plies != 1) json.set("plies", piece.plies);
     if (piece.layer != 0) json.set("layer", piece.layer);
     if (piece.pressure != 0) json.set("pressure", piece.pressure);
     json.set("spacing", millimetres(piece.spacing));

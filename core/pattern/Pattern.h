@@ -165,9 +165,10 @@ struct Piece {
     double grain = 0; ///< direction of warp from +y, counter-clockwise [rad]
     FabricId fabric;
     std::optional<Interfacing> interfacing; ///< a mirror image has its own
-    int layer = 0;               ///< where pieces overlap, the higher lies outside; a mirror image has its own
-    double pressure = 0;         ///< of air behind the cloth, towards its right side [Pa]; a mirror image has its own
-    double spacing = 0.02;       ///< ε_m [m]
+    int plies = 1;         ///< that are cut and lie on one another, joined at their edges; a mirror image has its own
+    int layer = 0;         ///< where pieces overlap, the higher lies outside; a mirror image has its own
+    double pressure = 0;   ///< of air behind the cloth, towards its right side [Pa]; a mirror image has its own
+    double spacing = 0.02; ///< ε_m [m]
     double seamAllowance = 0.01; ///< [m]
     std::vector<Region> regions;
     std::vector<Notch> notches;

@@ -3,6 +3,7 @@
 
 #include "core/pattern/CheckParts.h"
 #include "core/pattern/Editing.h"
+#include "core/pattern/PatternFabrics.h"
 #include "core/pattern/PatternMeasures.h"
 #include "core/pattern/PatternPieces.h"
 #include "core/pattern/PatternPlacement.h"
@@ -53,6 +54,8 @@ void checkNumbers(const Pattern& pattern, const Piece& piece, Problems& problems
                        fmt::format("The spacing is {} mm, but must be a positive length.", piece.spacing * 1000));
     if (!(piece.seamAllowance >= 0 && std::isfinite(piece.seamAllowance)))
         problems.error("seamAllowance", "A seam allowance cannot be negative.");
+    if (piece.plies < 1 || piece.plies > mostPlies)
+        problems.error("plies", fmt::format("The piece has {} plies, but must have 1 to {}.", piece.plies, mostPlies));
     if (piece.layer < 0 || piece.layer > outermostLayer)
         problems.error("layer", fmt::format("The layer is {}, but must be from 0 to {}.", piece.layer, outermostLayer));
     if (!(std::abs(piece.pressure) <= mostPressure))

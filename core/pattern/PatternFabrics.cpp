@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/PatternFabrics.h"
 
+#include "core/material/Plies.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -69,10 +71,20 @@ Result<Pattern> setInterfacing(const Pattern& pattern, const PieceId& piece,
     });
 }
 
+Result<Pattern> setPlies(const Pattern& pattern, const PieceId& piece, int plies) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        if (plies < 1 || plies > mostPlies)
+            return fail(ErrorCode::invalidInput, fmt::format("A piece has 1 to {} plies.", mostPlies), placeOf(p));
+        p.plies = plies;
+        return {};
+    });
+}
+
 std::optional<Fabric> clothOf(const Pattern& pattern, const Piece& piece) {
     const Fabric* fabric = findFabric(pattern, piece.fabric);
     if (!fabric) return std::nullopt;
-    return piece.interfacing ? material::fused(*fabric, *piece.interfacing) : *fabric;
+    const Fabric ply = piece.interfacing ? material::fused(*fabric, *piece.interfacing) : *fabric;
+    return material::backed(ply, *fabric, piece.plies - 1);
 }
 
 } // namespace toile::pattern

@@ -5,6 +5,8 @@
 
 namespace toile::pattern {
 
+constexpr int mostPlies = 8;
+
 // Edits of the fabrics of a pattern. All are pure.
 
 /// Adds a fabric that has its id. Error when the id is taken or a constant makes no sense.
@@ -19,7 +21,11 @@ namespace toile::pattern {
 [[nodiscard]] Result<Pattern> setInterfacing(const Pattern& pattern, const PieceId& piece,
                                              const std::optional<Interfacing>& interfacing);
 
-/// What a piece is made of: its fabric with its interfacing. Nothing for a fabric that there is not.
+/// Cuts a piece from so many plies of its fabric, 1 to mostPlies.
+[[nodiscard]] Result<Pattern> setPlies(const Pattern& pattern, const PieceId& piece, int plies);
+
+/// What a piece is made of: all plies of its fabric, one of them with its interfacing. Nothing for a fabric that there
+/// is not.
 [[nodiscard]] std::optional<Fabric> clothOf(const Pattern& pattern, const Piece& piece);
 
 } // namespace toile::pattern

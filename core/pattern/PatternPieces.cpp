@@ -63,6 +63,7 @@ Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Ve
     image.name = std::move(name);
     image.fabric = original->fabric;
     image.interfacing = original->interfacing;
+    image.plies = original->plies;
     image.spacing = original->spacing;
     image.seamAllowance = original->seamAllowance;
     image.rule = original->rule;

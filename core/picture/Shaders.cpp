@@ -70,7 +70,7 @@ in float hollow;
 uniform vec3 eye, keyDirection, fillDirection, rimDirection; // directions point to the lights
 uniform bool cloth;
 uniform vec4 bodyColour, selectionColour;
-uniform samplerBuffer triangleColours; // alpha 0 = selected
+uniform samplerBuffer triangleColours; // alpha: see SurfaceData.h
 out vec4 colour;
 
 // The wrong side: greyer; a pale fabric gets darker, a dark one paler, or nobody would see the difference.
@@ -91,7 +91,8 @@ void main() {
         base = linearOf(painted.rgb);
         selected = painted.a < 0.5;
         if (selected) base = mix(base, linearOf(selectionColour.rgb), 0.10);
-        if (!gl_FrontFacing) base = wrongSide(base);
+        bool rightSidesOnly = painted.a < (selected ? 0.2 : 0.8);
+        if (!gl_FrontFacing && !rightSidesOnly) base = wrongSide(base);
     }
     // A surface turned away from the light is in shadow already; moving the look-up off the surface keeps it from
     // shading itself.

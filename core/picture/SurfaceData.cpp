@@ -78,6 +78,8 @@ std::vector<std::array<std::uint8_t, 4>> triangleColours(const RenderScene& scen
         const auto own = scene.pieceColours.find(piece.id);
         const Colour fabric = own == scene.pieceColours.end() ? defaultFabricColour : own->second;
         const bool selected = !scene.selectedPiece.empty() && piece.id == scene.selectedPiece;
+        const auto kind =
+            static_cast<std::uint8_t>(selected ? (piece.rightSidesOnly ? 0 : 96) : (piece.rightSidesOnly ? 160 : 255));
         for (int t = piece.firstTriangle; t < piece.firstTriangle + piece.triangleCount; ++t) {
             const auto i = static_cast<std::size_t>(t);
             const int region =
@@ -85,7 +87,7 @@ std::vector<std::array<std::uint8_t, 4>> triangleColours(const RenderScene& scen
             const Colour c =
                 region < 0 ? fabric
                            : mixed(fabric, regionTints[static_cast<std::size_t>(region) % regionTints.size()], 0.55f);
-            colours[i] = {asByte(c.r), asByte(c.g), asByte(c.b), static_cast<std::uint8_t>(selected ? 0 : 255)};
+            colours[i] = {asByte(c.r), asByte(c.g), asByte(c.b), kind};
         }
     }
     return colours;

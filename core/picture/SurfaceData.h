@@ -23,8 +23,8 @@ struct SurfaceVertex {
 surfaceVertices(const std::vector<Vec3>& positions, const std::vector<geometry::TriangleIndices>& triangles,
                 const std::vector<std::vector<std::array<int, 2>>>& seams = {});
 
-/// Red, green, blue of each triangle of the cloth's right side; the fourth byte is 0 where the piece is
-/// selected, otherwise 255.
+/// Red, green, blue of each triangle of the cloth's right side. The fourth byte is 255, or 160 where it shows a right
+/// side to either side; where its piece is selected 96 or 0.
 [[nodiscard]] std::vector<std::array<std::uint8_t, 4>> triangleColours(const RenderScene& scene,
                                                                        const simulation::FrameTopology& topology);
 

@@ -20,6 +20,7 @@ struct FrameTopology {
         std::string id, name;
         int firstVertex = 0, vertexCount = 0;
         int firstTriangle = 0, triangleCount = 0;
+        bool rightSidesOnly = false; ///< of several plies: it shows a right side to either side
     };
     std::vector<PieceRange> pieces;
     std::vector<std::array<int, 3>> triangles;          ///< the right side is counter-clockwise

@@ -2,6 +2,7 @@
 #include "core/simulation/LevelsOf.h"
 
 #include "core/dynamics/Eliminated.h"
+#include "core/pattern/PatternFabrics.h"
 
 namespace toile::simulation {
 namespace {
@@ -24,7 +25,7 @@ dynamics::LevelMesh levelMeshOf(const pattern::Pattern& pattern, const meshing::
     dynamics::LevelMesh level{map.particleCount, {}};
     for (std::size_t i = 0; i < mesh.pieces.size(); ++i) {
         const meshing::PieceMesh& piece = mesh.pieces[i];
-        const material::Fabric& fabric = *pattern::findFabric(pattern, pattern.pieces[i]->fabric);
+        const material::Fabric fabric = *pattern::clothOf(pattern, *pattern.pieces[i]);
         for (const auto& nodes : piece.display) {
             dynamics::LevelTriangle t{.patch = static_cast<int>(i),
                                       .weft = fabric.weftStiffness,

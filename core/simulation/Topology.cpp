@@ -39,7 +39,7 @@ FrameTopology topologyOf(const pattern::Pattern& pattern, const meshing::Garment
         firstNode.push_back(first);
         topology.pieces.push_back({pattern.pieces[i]->id.value, pattern.pieces[i]->name, first,
                                    static_cast<int>(piece.nodes.size()), static_cast<int>(topology.triangles.size()),
-                                   static_cast<int>(piece.display.size())});
+                                   static_cast<int>(piece.display.size()), pattern.pieces[i]->plies > 1});
         topology.material.insert(topology.material.end(), piece.material.begin(), piece.material.end());
         for (const auto& [a, b, c] : piece.display) topology.triangles.push_back({first + a, first + b, first + c});
         for (const int element : meshing::displayElements(piece))

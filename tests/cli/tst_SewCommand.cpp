@@ -42,6 +42,7 @@ private slots:
     void motionsThatCannotBeAreRefused();
     void aPictureIsNotBlank();
     void equalRunsGiveEqualBits();
+    void aFinerMeshGetsMoreSubsteps();
     void quietSaysNothing();
     void aSeamHeldOpenIsAGoalMissed();
     void aLimitThatIsTooShortIsAGoalMissed();
@@ -219,6 +220,25 @@ void tst_SewCommand::equalRunsGiveEqualBits() {
     }
     QCOMPARE(hashes[1], hashes[0]);
     QCOMPARE(hashes[2], hashes[0]);
+}
+
+/// A document that asks for 30 substeps on its own mesh of 100 mm.
+void tst_SewCommand::aFinerMeshGetsMoreSubsteps() {
+    document::Document sheet = samples::squareSheet(samples::SheetPins::oneEdge);
+    pattern::Piece piece = *sheet.pattern.pieces[0];
+    piece.spacing = 0.1;
+    sheet.pattern.pieces[0] = piece;
+    sheet.scene.substeps = 30;
+    QVERIFY(io::writeToile(sheet, in("sheet.toile").toStdString()).has_value());
+    const auto substeps = [&](const QStringList& options) {
+        run(QStringList{"sew", in("sheet.toile"), "--seconds", "0.05", "--report", in("sew.json")} + options);
+        return *report().find("substeps")->asNumber();
+    };
+    QCOMPARE(substeps({}), 30.0);
+    QCOMPARE(substeps({"--spacing", "40"}), 75.0);
+    QCOMPARE(substeps({"--spacing", "200"}), 30.0); // coarser: not fewer
+    QCOMPARE(substeps({"--spacing", "40", "--substeps", "20"}), 20.0);
+    QVERIFY(substeps({"--substeps", "auto"}) < 30);
 }
 
 void tst_SewCommand::quietSaysNothing() {

@@ -15,6 +15,7 @@ inline document::Document everyField() {
     front.name = "Front \"left\"";
     front.fabric = FabricId("poplin");
     front.interfacing = Interfacing{8, 0.03};
+    front.plies = 2;
     front.layer = 1;
     front.pressure = 12.5;
     front.spacing = 0.015;

@@ -34,6 +34,7 @@ private slots:
     void aFabricInUseStays();
     void interfacingIsFusedAndTakenOff();
     void clothIsTheFabricWithItsInterfacing();
+    void pliesAddUp();
     void freeNumbersAreAboveAllInUse();
 };
 
@@ -224,6 +225,29 @@ void tst_PatternPieces::clothIsTheFabricWithItsInterfacing() {
     QVERIFY(*clothOf(plain, *findPiece(plain, front)) == *plain.fabrics[0]);
     QVERIFY(*clothOf(fused, *findPiece(fused, front)) == material::fused(*plain.fabrics[0], Interfacing{}));
     QVERIFY(!clothOf(plain, Piece{}));
+}
+
+void tst_PatternPieces::pliesAddUp() {
+    const Pattern plain = tests::twoPanels();
+    const auto doubled = setPlies(plain, front, 2);
+    QVERIFY(doubled && !hasErrors(checkPattern(*doubled)));
+    const Fabric one = *clothOf(plain, *findPiece(plain, front)), two = *clothOf(*doubled, *findPiece(*doubled, front));
+    QCOMPARE(two.arealDensity, 2 * one.arealDensity);
+    QCOMPARE(two.weftStiffness, 2 * one.weftStiffness);
+    QCOMPARE(two.warpBending, 2 * one.warpBending);
+    QCOMPARE(two.thickness, 2 * one.thickness);
+    QCOMPARE(two.friction, one.friction);
+    const Pattern fused = *setInterfacing(*doubled, front, Interfacing{.bendingFactor = 9, .arealDensity = 0.05});
+    const Fabric stiff = *clothOf(fused, *findPiece(fused, front));
+    QVERIFY(std::abs(stiff.warpBending / one.warpBending - 10) < 1e-12); // one ply of nine, one of one
+    QVERIFY(std::abs(stiff.arealDensity - 2 * one.arealDensity - 0.05) < 1e-12);
+    QVERIFY(*setPlies(*doubled, front, 1) == plain);
+    QVERIFY(!setPlies(plain, front, 0) && !setPlies(plain, front, mostPlies + 1));
+    Pattern wrong = *doubled;
+    Piece none = *findPiece(wrong, front);
+    none.plies = 0;
+    *std::ranges::find_if(wrong.pieces, [](const auto& p) { return p->id == front; }) = none;
+    QVERIFY(hasErrors(checkPattern(wrong)));
 }
 
 void tst_PatternPieces::freeNumbersAreAboveAllInUse() {

@@ -75,6 +75,7 @@ private slots:
     void anEmptySceneIsASoftGradient();
     void theRightSideHasTheColourOfTheFabric();
     void theWrongSideIsDuller();
+    void severalPliesShowARightSideToEitherSide();
     void theNearerPieceHidesTheFarther();
     void theOrderOfPiecesDoesNotMatter();
     void whatIsProjectedIsDrawnThere();
@@ -136,6 +137,22 @@ void tst_Rendering::theWrongSideIsDuller() {
     RenderScene white = scene; // no colour to lose: darker instead
     white.pieceColours["red"] = {0.95f, 0.95f, 0.95f};
     QVERIFY(middleOf(white, fromBehind).g < middleOf(white).g - 25);
+}
+
+void tst_Rendering::severalPliesShowARightSideToEitherSide() {
+    RenderScene scene = sceneOf({{"red", {}}});
+    const Pixel front = middleOf(scene), wrong = middleOf(scene, fromBehind);
+    simulation::Frame frame = **scene.frame;
+    simulation::FrameTopology topology = *frame.topology;
+    topology.pieces[0].rightSidesOnly = true;
+    frame.topology = Shared(topology);
+    scene.frame = Shared(frame);
+    QVERIFY(middleOf(scene) == front);
+    QVERIFY(saturation(middleOf(scene, fromBehind)) > 1.3 * saturation(wrong));
+    scene.selectedPiece = "red";
+    const Pixel selected = middleOf(scene, fromBehind);
+    scene.selectedPiece = "";
+    QVERIFY(selected != middleOf(scene, fromBehind)); // still told apart
 }
 
 void tst_Rendering::theNearerPieceHidesTheFarther() {

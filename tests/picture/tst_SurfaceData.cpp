@@ -152,7 +152,11 @@ void tst_SurfaceData::coloursFollowPieceRegionAndSelection() {
     const auto plain = triangleColours(scene, threeTriangles());
     QCOMPARE(plain[0], (std::array<std::uint8_t, 4>{255, 0, 0, 255}));
     QCOMPARE(plain[1], plain[0]);
-    QCOMPARE(plain[2][3], std::uint8_t{0}); // selected
+    QCOMPARE(plain[2][3], std::uint8_t{96}); // selected
+    simulation::FrameTopology plied = threeTriangles();
+    for (auto& piece : plied.pieces) piece.rightSidesOnly = true;
+    QCOMPARE(triangleColours(scene, plied)[0], (std::array<std::uint8_t, 4>{255, 0, 0, 160}));
+    QCOMPARE(triangleColours(scene, plied)[2][3], std::uint8_t{0});
     scene.options.regions = true;
     const auto tinted = triangleColours(scene, threeTriangles());
     QCOMPARE(tinted[0], plain[0]);

@@ -5,7 +5,6 @@
 #include "core/simulation/MeshInputOf.h"
 
 #include <QTest>
-#include <numeric>
 
 using namespace toile;
 using namespace toile::simulation;

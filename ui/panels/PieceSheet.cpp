@@ -182,6 +182,13 @@ PropertySheet pieceSheet(const Document& document, const Piece& piece, const mes
     });
     sheet.rows.push_back({QStringLiteral("fabric"), tr("Fabric"), fabric});
     addInterfacingRows(sheet, piece);
+    sheet.rows.push_back({QStringLiteral("plies"), tr("Plies"),
+                          NumberRow{Quantity::count, double(piece.plies), 1, mostPlies, 1,
+                                    setting(piece.id,
+                                            [](const Pattern& p, const PieceId& id, double plies) {
+                                                return setPlies(p, id, static_cast<int>(std::lround(plies)));
+                                            })},
+                          tr("Layers of the fabric on one another, joined at their edges: a double yoke has two.")});
     sheet.rows.push_back({QStringLiteral("layer"), tr("Layer"),
                           NumberRow{Quantity::count, double(piece.layer), 0, outermostLayer, 1,
                                     setting(piece.id,

@@ -23,9 +23,6 @@ std::vector<NotOffered> casesNotOffered() {
         {"V10", "stick–slip of a cantilever pushed on to a plane",
          "The boundaries of its regimes stand in Romero 2021, which was not at hand."},
         {"V14", "bend–twist of a naturally curved ribbon", "Cloth that is curved at rest is not offered."},
-        {"V33", "circle skirt in woven cloth",
-         "Its folds move the hem by 10 mm and more, the bias by half a millimetre: a measure that tells them apart is "
-         "not built."},
     };
 }
 

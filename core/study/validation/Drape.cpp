@@ -11,6 +11,7 @@
 #include <complex>
 #include <fmt/format.h>
 #include <numeric>
+#include <optional>
 
 /// Discs of cloth that hang over a smaller support: Cusick's test.
 namespace toile::study::validation {
@@ -19,9 +20,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double specimen = 0.15, support = 0.09; // radii [m], BS 5058
 
-/// A draped disc: where its rim is, in order round it.
+/// A draped disc.
 struct Drape {
-    std::vector<Vec3> rim; ///< about the axis of the support, which is level at y = 0 [m]
+    std::vector<Vec3> rim;  ///< in order round the axis of the support, which is level at y = 0 [m]
+    std::vector<Vec2> flat; ///< where each particle was before [m]
+    std::vector<Vec3> positions;
 
     /// Drape coefficient: shadow of the hanging ring over the area of the ring [%].
     [[nodiscard]] double coefficient() const {
@@ -39,10 +42,39 @@ struct Drape {
         for (const Vec3& x : rim) sum += x.y * std::polar(1.0, times * std::atan2(x.z, x.x));
         return sum;
     }
-    /// How often the rim passes its mean height on its way up.
-    [[nodiscard]] int folds() const {
+    [[nodiscard]] double meanHeight() const {
         double mean = 0;
         for (const Vec3& x : rim) mean += x.y / static_cast<double>(rim.size());
+        return mean;
+    }
+    /// Along the cloth from the support to the rim, by the particles that lay in this direction [m]: the sum of arcs,
+    /// as curved as three particles in a row say. Chords would be too short by more than the weight of the cloth
+    /// stretches.
+    [[nodiscard]] double lengthTowards(double angle) const {
+        std::vector<std::pair<double, int>> line;
+        for (int p = 0; p < std::ssize(flat); ++p) {
+            const double along = flat[p].x * std::cos(angle) + flat[p].y * std::sin(angle);
+            const double beside = flat[p].y * std::cos(angle) - flat[p].x * std::sin(angle);
+            if (along > 0 && std::abs(beside) < 1e-6) line.push_back({along, p});
+        }
+        std::ranges::sort(line);
+        const auto at = [&](std::size_t i) { return positions[line[i].second]; };
+        std::vector<double> curvature(line.size());
+        for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+            const Vec3 before = at(i) - at(i - 1), behind = at(i + 1) - at(i);
+            curvature[i] = 2 * length(cross(before, behind)) /
+                           (length(before) * length(behind) * geometry::distance(at(i - 1), at(i + 1)));
+        }
+        double sum = 0;
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const double chord = geometry::distance(at(i - 1), at(i)), bent = 0.5 * (curvature[i - 1] + curvature[i]);
+            sum += chord * (1 + bent * bent * chord * chord / 24);
+        }
+        return sum;
+    }
+    /// How often the rim passes its mean height on its way up.
+    [[nodiscard]] int folds() const {
+        const double mean = meanHeight();
         int count = 0;
         for (std::size_t i = 0; i < rim.size(); ++i) count += rim[i].y < mean && rim[(i + 1) % rim.size()].y >= mean;
         return count;
@@ -55,6 +87,7 @@ struct Disc {
     double grain = 0;      ///< warp from the disc's own y [rad]
     bool ring = false;     ///< only what hangs, hinged to the edge of the support: no step of the grid holds it
     unsigned seed = 7;     ///< of the noise of 0.1 mm it starts with
+    double inner = support, outer = specimen; ///< radii [m]
 };
 
 constexpr int corners = 96; // of what stands for a circle
@@ -73,9 +106,9 @@ Drape drapeOf(Findings& found, const Disc& disc) {
     Fabric cloth = disc.fabric;
     cloth.id = material::FabricId("cloth");
     pattern.fabrics.push_back(std::move(cloth));
-    pattern::Piece piece = polygonPiece("disc", circle(specimen, 1), disc.spacing);
+    pattern::Piece piece = polygonPiece("disc", circle(disc.outer, 1), disc.spacing);
     if (disc.ring) {
-        pattern::Contour hole = polygonPiece("hole", circle(support, -1), disc.spacing).outline;
+        pattern::Contour hole = polygonPiece("hole", circle(disc.inner, -1), disc.spacing).outline;
         for (int k = 0; k < corners; ++k) {
             hole.vertices[k].id = pattern::VertexId("h" + std::to_string(k));
             hole.edges[k].id = pattern::EdgeId("i" + std::to_string(k));
@@ -98,9 +131,9 @@ Drape drapeOf(Findings& found, const Disc& disc) {
     for (int p = 0; p < model.particleCount(); ++p) {
         const double radius = length(flat[p]);
         const double noise = 1e-4 * (static_cast<double>(random()) / std::mt19937::max() - 0.5);
-        state.positions.push_back({flat[p].x, radius < support ? 0 : noise, -flat[p].y});
-        if (radius < support + 1e-6) model.pinned.push_back(p);
-        if (radius > specimen * std::cos(pi / corners) - 1e-6) rim.push_back({std::atan2(flat[p].y, flat[p].x), p});
+        state.positions.push_back({flat[p].x, radius < disc.inner ? 0 : noise, -flat[p].y});
+        if (radius < disc.inner + 1e-6) model.pinned.push_back(p);
+        if (radius > disc.outer * std::cos(pi / corners) - 1e-6) rim.push_back({std::atan2(flat[p].y, flat[p].x), p});
     }
     cloth::doubleBendingAtClampedRows(model);
     const auto xpbd = dynamics::makeIntegrator(dynamics::Method::xpbd, model, {.damping = 3});
@@ -108,7 +141,7 @@ Drape drapeOf(Findings& found, const Disc& disc) {
     const auto rest = dynamics::solveStatic(model, state, downward, {}, {.maximumIterations = 1000});
     if (found.ran(rest) && !rest->newton.converged) found.stop("The drape did not come to rest.");
     std::ranges::sort(rim);
-    Drape drape;
+    Drape drape{.rim = {}, .flat = flat, .positions = state.positions};
     for (const auto& [angle, p] : rim) drape.rim.push_back(state.positions[p]);
     return drape;
 }
@@ -180,10 +213,42 @@ void v31PlacesOfFolds(Findings& found) {
                  std::abs(sum) / runs);
 }
 
+/// A ring of woven cloth that gives way to shear, hinged to a waist of radius 80 mm, 220 mm long. Folds tilt the lines
+/// from waist to hem by more than the bias gives, so their lengths are compared, not where they end.
+void v33CircleSkirt(Findings& found) {
+    Fabric fabric = drapingWeave();
+    fabric.shearStiffness = 10;
+    std::optional<Drape> coarser;
+    for (const int millimetres : {20, 10, 5}) {
+        const Drape skirt = drapeOf(
+            found, {.fabric = fabric, .spacing = 1e-3 * millimetres, .ring = true, .inner = 0.08, .outer = 0.3});
+        if (found.stopped()) return;
+        double bias = 0, grain = 0;
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            grain += skirt.lengthTowards(quarter * pi / 2) / 4;
+            bias += skirt.lengthTowards((quarter + 0.5) * pi / 2) / 4;
+        }
+        const std::string name = fmt::format("circle skirt at {} mm", millimetres);
+        found.atMost(fmt::format("{}: waist to hem {:.2f} mm on the grain less {:.2f} mm on the bias [mm]", name,
+                                 1000 * grain, 1000 * bias),
+                     0, 1000 * (grain - bias));
+        if (coarser) {
+            found.within(fmt::format("{}: mean drop of the hem [m], as on the coarser mesh", name),
+                         -coarser->meanHeight(), -skirt.meanHeight(), 0.03);
+            found.atMost(fmt::format("{}: {} folds; more or fewer than on the coarser mesh", name, skirt.folds()), 1,
+                         std::abs(skirt.folds() - coarser->folds()));
+        }
+        coarser = skirt;
+    }
+}
+
 } // namespace
 
 std::vector<Case> drapeCases() {
     return {{"V29", "drape", "Cusick drape", v29Cusick},
+            {"V33", "drape", "circle skirt in woven cloth", v33CircleSkirt,
+             "20 mm is the bending length of this cloth: half of it shows its folds, and from there on their number "
+             "stays."},
             {"V31", "drape", "mesh bias of a drape", v31MeshBias},
             {"V31", "drape", "places of folds", v31PlacesOfFolds,
              "All runs fold at the same places of the grid. On an isotropic ring nothing else prefers a place, so the "
