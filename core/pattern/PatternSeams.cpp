@@ -100,6 +100,18 @@ Result<Pattern> changedSection(const Pattern& pattern, const SeamId& id, std::si
     });
 }
 
+/// Every section declared anew, by its lengths.
+template <class Declare>
+Result<Pattern> declared(const Pattern& pattern, const SeamId& seam, Declare declare) {
+    return changed(pattern, seam, [&](Seam& s) -> Result<void> {
+        s.sections.clear();
+        const auto sections = sectionsOf(pattern, s);
+        if (!sections) return fail(ErrorCode::invalidInput, "This seam names an edge that does not exist.", placeOf(s));
+        for (const SectionLengths& section : *sections) s.sections.push_back(declare(section));
+        return {};
+    });
+}
+
 } // namespace
 
 Result<Pattern> addSeam(const Pattern& pattern, std::span<const EdgePick> a, std::span<const EdgePick> b,
@@ -158,13 +170,17 @@ Result<Pattern> setSeamEase(const Pattern& pattern, const SeamId& seam, std::siz
 }
 
 Result<Pattern> easeAway(const Pattern& pattern, const SeamId& seam) {
-    return changed(pattern, seam, [&](Seam& s) -> Result<void> {
-        s.sections.clear();
-        const auto sections = sectionsOf(pattern, s);
-        if (!sections) return fail(ErrorCode::invalidInput, "This seam names an edge that does not exist.", placeOf(s));
-        for (const SectionLengths& section : *sections) s.sections.push_back({section.a - section.b, std::nullopt});
-        return {};
+    return declared(pattern, seam, [](const SectionLengths& lengths) {
+        return SeamSection{lengths.a - lengths.b, std::nullopt};
     });
+}
+
+Result<Pattern> gatherAway(const Pattern& pattern, const SeamId& seam) {
+    return declared(pattern, seam, [](const SectionLengths& lengths) { return SeamSection{0, lengths.a / lengths.b}; });
+}
+
+bool isGathered(const Seam& seam) {
+    return std::ranges::any_of(seam.sections, [](const SeamSection& s) { return s.gatherRatio.has_value(); });
 }
 
 Result<Pattern> setGatherRatio(const Pattern& pattern, const SeamId& seam, std::size_t section, double ratio) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/DrawnUp.h"
 
+#include "core/pattern/PatternSeams.h"
+
 #include <algorithm>
 
 namespace toile::simulation {
@@ -9,17 +11,13 @@ namespace {
 /// A stitch whose sides differ by less is left alone [–]: as much may the sides of a plain seam differ.
 constexpr double leastFullness = 0.003;
 
-bool isGathered(const pattern::Seam& seam) {
-    return std::ranges::any_of(seam.sections, [](const pattern::SeamSection& s) { return s.gatherRatio.has_value(); });
-}
-
 } // namespace
 
 std::vector<std::vector<cloth::DrawnSide>> drawnUp(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh,
                                                    const std::vector<bool>& mergedSeams) {
     std::vector<std::vector<cloth::DrawnSide>> drawn(mesh.pieces.size());
     for (std::size_t seam = 0; seam < mergedSeams.size(); ++seam) {
-        if (!mergedSeams[seam] || !isGathered(pattern.seams[seam])) continue;
+        if (!mergedSeams[seam] || !pattern::isGathered(pattern.seams[seam])) continue;
         const auto& pairs = mesh.seams[seam].pairs;
         for (std::size_t stitch = 1; stitch < pairs.size(); ++stitch) {
             const auto lengthOf = [&](int side) {

@@ -24,6 +24,7 @@ private slots:
     void easeBelongsToASectionBetweenNotches();
     void easeAwayLeavesNoMismatch();
     void aGatherRatioCountsAsEase();
+    void gatherAwayTakesTheDifferenceAsGathers();
     void aSeamIsRemoved();
 };
 
@@ -178,6 +179,18 @@ void tst_PatternSeams::easeAwayLeavesNoMismatch() {
     QVERIFY(std::abs((*sectionsOf(pattern, pattern.seams[0]))[0].mismatch()) > 1e-4);
     const Pattern eased = *easeAway(pattern, SeamId("s1"));
     QVERIFY(std::abs((*sectionsOf(eased, eased.seams[0]))[0].mismatch()) < 1e-15);
+}
+
+void tst_PatternSeams::gatherAwayTakesTheDifferenceAsGathers() {
+    const Pattern pattern = tests::twoPanels();
+    QVERIFY(!isGathered(pattern.seams[0]));
+    const Pattern gathered = *gatherAway(pattern, SeamId("s1"));
+    QVERIFY(isGathered(gathered.seams[0]));
+    const SectionLengths lengths = (*sectionsOf(gathered, gathered.seams[0]))[0];
+    QVERIFY(std::abs(lengths.mismatch()) < 1e-15);
+    QCOMPARE(*gathered.seams[0].sections[0].gatherRatio, lengths.a / lengths.b);
+    QVERIFY(!isGathered(easeAway(gathered, SeamId("s1"))->seams[0]));
+    QVERIFY(!gatherAway(pattern, SeamId("nobody")));
 }
 
 void tst_PatternSeams::aGatherRatioCountsAsEase() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
+#include "ui/panels/PropertySheet.h"
 #include "ui/tools/EditSewing.h"
 #include "ui/tools/PaintRegion.h"
 #include "ui/tools/SewFree.h"
@@ -29,6 +30,7 @@ private Q_SLOTS:
     void freeSewingSnapsToEnds();
     void aSideMayNotLeaveItsEdge();
     void seamsAreSelectedReversedAndDeleted();
+    void theSheetGathersTheLongerSide();
 
     void cornersMakeARegion();
     void aStrokeMakesARegion();
@@ -250,6 +252,31 @@ void tst_SewingTools::seamsAreSelectedReversedAndDeleted() {
     QCOMPARE(levelThatMeetsTheBottomOfSideOne(hand), 0.15);
     hand.key(tool, ToolKey::erase);
     QVERIFY(hand.document.pattern.seams.empty());
+}
+
+void tst_SewingTools::theSheetGathersTheLongerSide() {
+    SewSegments tool;
+    Hand hand{withRectangle(withRectangle({}, "Skirt", {0, 0}, 0.2, 0.45), "Band", {0.3, 0}, 0.2, 0.3)};
+    hand.click(tool, {0.1, -0.1});
+    hand.click(tool, {0.2, -0.1});
+    const auto seam = [&]() -> const pattern::Seam& { return hand.document.pattern.seams.at(0); };
+    const auto rowOf = [&](const char* name) -> std::optional<decltype(PropertyRow::content)> {
+        const FlatPattern flat = flattened(hand.document.pattern);
+        const PropertySheet sheet = sheetOf({hand.document, flat, {seam().id}}, {});
+        const auto row = std::ranges::find(sheet.rows, QString::fromLatin1(name), &PropertyRow::name);
+        return row == sheet.rows.end() ? std::nullopt : std::optional(row->content);
+    };
+    QVERIFY(rowOf("ease") && !rowOf("gatherRatio"));
+    hand.document = *std::get<FlagRow>(*rowOf("gathered")).set(hand.document, true);
+    QVERIFY(std::abs(*seam().sections.at(0).gatherRatio - 1.5) < 1e-12);
+    QVERIFY(!rowOf("ease"));
+    const NumberRow ratio = std::get<NumberRow>(*rowOf("gatherRatio"));
+    QVERIFY(std::abs(ratio.value - 1.5) < 1e-12);
+    hand.document = *ratio.set(hand.document, 1.6);
+    QCOMPARE(*seam().sections.at(0).gatherRatio, 1.6);
+    hand.document = *std::get<FlagRow>(*rowOf("gathered")).set(hand.document, false);
+    QVERIFY(!seam().sections.at(0).gatherRatio);
+    QVERIFY(std::abs(seam().sections.at(0).ease - 0.15) < 1e-12);
 }
 
 void tst_SewingTools::cornersMakeARegion() {

@@ -34,7 +34,21 @@ void addLengthRows(PropertySheet& sheet, const Desk& desk, const Seam& seam) {
     sheet.rows.push_back({QStringLiteral("difference"), tr("Difference"),
                           FactRow{differenceTextOf(Quantity::length, a - b), mismatch > notableMismatch},
                           tr("Red where it is more than is declared as ease.")});
-    if (sections->size() == 1)
+    const bool gathered = isGathered(seam);
+    if (gathered || std::abs(a - b) > notableMismatch)
+        sheet.rows.push_back(
+            {QStringLiteral("gathered"), tr("Gathered"),
+             FlagRow{gathered, setting(seam.id, [](const Pattern& p, const SeamId& id,
+                                                   bool on) { return on ? gatherAway(p, id) : easeAway(p, id); })},
+             tr("A thread draws up the longer side, and the shorter one keeps its length. Ease is shared "
+                "by both.")});
+    if (gathered && sections->size() == 1)
+        sheet.rows.push_back({QStringLiteral("gatherRatio"), tr("Gather ratio (A / B)"),
+                              NumberRow{Quantity::factor, seam.sections[0].gatherRatio.value_or(1), 0.01, 100, 0.1,
+                                        setting(seam.id, [](const Pattern& p, const SeamId& id,
+                                                            double ratio) { return setGatherRatio(p, id, 0, ratio); })},
+                              tr("How many times as long side A is wanted.")});
+    else if (sections->size() == 1)
         sheet.rows.push_back({QStringLiteral("ease"), tr("Ease (A − B)"),
                               NumberRow{Quantity::length, wanted, -1, 1, 1,
                                         setting(seam.id, [](const Pattern& p, const SeamId& id,
