@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/dynamics/BlockMatrix.h"
+#include "core/dynamics/RoundedFactor.h"
 
 #include <memory>
 
@@ -20,6 +21,8 @@ public:
     [[nodiscard]] bool factorize(std::span<const double> shift);
     /// x = (A + shift)⁻¹ b of the last factor; not finite where the factor is singular.
     [[nodiscard]] std::vector<Vec3> solve(std::span<const Vec3> b);
+    /// The last factor; valid until the next.
+    [[nodiscard]] SupernodalFactor factor() const;
 
     [[nodiscard]] int analyses() const { return analyses_; }
     [[nodiscard]] int factorizations() const { return factorizations_; }
@@ -29,6 +32,7 @@ private:
     struct Factor;
 
     void analyse();
+    [[nodiscard]] std::vector<int> orderOfBlocks();
     void writeValues(std::span<const double> shift);
 
     std::unique_ptr<Factor> factor_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Team.h"
 #include "core/cloth/HessianSink.h"
 #include "core/geometry/Vec.h"
 
@@ -30,11 +31,16 @@ public:
     [[nodiscard]] const std::vector<Key>& pattern() const { return pattern_; } ///< rising; all of the diagonal
     [[nodiscard]] const double* block(std::size_t place) const { return values_.data() + 9 * place; } ///< row-major
 
-    /// result = (A + diag(shift[i]·I))·x. The pattern is settled.
-    void multiply(std::span<const double> shift, std::span<const Vec3> x, std::span<Vec3> result) const;
+    /// result = (A + diag(shift[i]·I))·x. The pattern is settled. team: to share the work of a large matrix with; null
+    /// = alone. The bits are the same.
+    void multiply(std::span<const double> shift, std::span<const Vec3> x, std::span<Vec3> result,
+                  Team* team = nullptr) const;
     [[nodiscard]] std::size_t bytes() const;
 
 private:
+    /// Adds what the blocks at these places do to x; result[0] is that of row `first`.
+    void multiplyPart(std::size_t begin, std::size_t end, std::span<const Vec3> x, Vec3* result, int first) const;
+
     static Key keyOf(int row, int column) { return (static_cast<Key>(column) << 32) | static_cast<Key>(row); }
 
     int blocks_;

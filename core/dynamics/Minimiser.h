@@ -29,6 +29,7 @@ struct MinimiserProblem {
     std::span<Stage* const> stages;
     double inertia = 0;           ///< c [1/s²]; 0: statics, y is not read
     std::span<const Vec3> target; ///< y, one per particle [m]
+    Team* team = nullptr;         ///< to share work with, where it is much; null = alone. The bits are the same
 };
 
 /// One Newton iteration, for logs and tests.

@@ -78,6 +78,7 @@ private:
     double leastForce_;
     double radius_ = 0;              ///< as far as a model is trusted, √(sᵀPs); 0 before the first step
     BlockMatrix exact_;              ///< H, whose projected form the solver's factor is of
+    RoundedFactor preconditioner_;   ///< that factor
     int served_ = 0, gradients_ = 0; ///< iterations of this factor, conjugate gradients of the last
     bool factored_ = false;
 };

@@ -40,7 +40,7 @@ private:
 Potential::Potential(const cloth::ClothModel& model, const Eliminated& eliminated, std::span<const double> mass,
                      const MinimiserProblem& problem)
     : model_(model), eliminated_(eliminated), mass_(mass), gravity_(problem.gravity), stages_(problem.stages),
-      inertia_(problem.inertia), target_(problem.target) {}
+      inertia_(problem.inertia), target_(problem.target), team_(problem.team) {}
 
 double Potential::energyAt(std::span<const Vec3> x) const {
     double energy = cloth::energy(model_, x);

@@ -39,6 +39,7 @@ public:
     [[nodiscard]] std::span<const double> mass() const { return mass_; } ///< of the unknowns [kg]
     [[nodiscard]] double inertia() const { return inertia_; }            ///< [1/s²]
     [[nodiscard]] std::span<Stage* const> stages() const { return stages_; }
+    [[nodiscard]] Team* team() const { return team_; } ///< null = alone
 
 private:
     const cloth::ClothModel& model_;
@@ -48,6 +49,7 @@ private:
     std::span<Stage* const> stages_;
     double inertia_;
     std::span<const Vec3> target_;
+    Team* team_;
 };
 
 } // namespace toile::dynamics

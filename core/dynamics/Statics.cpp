@@ -7,10 +7,11 @@ namespace toile::dynamics {
 
 Result<StaticReport> solveStatic(const cloth::ClothModel& model, ParticleState& state, const Vec3& gravity,
                                  std::span<Stage* const> stages, const StaticSettings& settings, std::stop_token stop,
-                                 const Progress& progress) {
+                                 const Progress& progress, Team* team) {
     const std::vector<Vec3> start = state.positions;
     for (Stage* stage : stages) stage->take({});
-    auto newton = Minimiser(model, settings).minimise(state.positions, {gravity, stages}, stop, progress);
+    auto newton = Minimiser(model, settings)
+                      .minimise(state.positions, {.gravity = gravity, .stages = stages, .team = team}, stop, progress);
     if (!newton) {
         state.positions = start;
         return tl::unexpected(newton.error());

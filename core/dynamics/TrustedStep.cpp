@@ -16,19 +16,19 @@ void add(std::span<Vec3> to, double factor, std::span<const Vec3> by) {
 
 } // namespace
 
-TrustedStep trustedStep(const BlockMatrix& hessian, BlockCholesky& preconditioner, std::span<const Vec3> forces,
-                        double radius, const TrustedStepSettings& settings) {
+TrustedStep trustedStep(const BlockMatrix& hessian, RoundedFactor& preconditioner, std::span<const Vec3> forces,
+                        double radius, const TrustedStepSettings& settings, Team* team) {
     TrustedStep step{.move = std::vector<Vec3>(forces.size())};
     const std::vector<double> unshifted(forces.size(), 0.0);
     const double tolerance = std::max(settings.forcing * largestOf(forces), settings.leastForce);
     std::vector<Vec3> r(forces.begin(), forces.end()), hp(forces.size());
-    std::vector<Vec3> z = preconditioner.solve(r), p = z;
+    std::vector<Vec3> z = preconditioner.solve(r, team), p = z;
     double rz = dotOf(r, z);
     double ss = 0, sp = 0, pp = rz; // products by P of the step and the direction, without ever multiplying by it
     if (radius == 0) radius = std::sqrt(rz);
     while (step.iterations < settings.maximumIterations && rz > 0) {
         ++step.iterations;
-        hessian.multiply(unshifted, p, hp);
+        hessian.multiply(unshifted, p, hp, team);
         const double curvature = dotOf(p, hp), along = rz / curvature;
         const double next = ss + 2 * along * sp + along * along * pp;
         if (!(curvature > 0) || next >= radius * radius) {
@@ -45,7 +45,7 @@ TrustedStep trustedStep(const BlockMatrix& hessian, BlockCholesky& preconditione
         step.expected += 0.5 * along * rz;
         ss = next;
         if (largestOf(r) <= tolerance) break;
-        z = preconditioner.solve(r);
+        z = preconditioner.solve(r, team);
         const double before = rz;
         rz = dotOf(r, z);
         const double turn = rz / before;

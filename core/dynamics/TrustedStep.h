@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dynamics/BlockCholesky.h"
+#include "core/dynamics/BlockMatrix.h"
+#include "core/dynamics/RoundedFactor.h"
 
 #include <span>
 #include <vector>
@@ -28,7 +29,8 @@ struct TrustedStepSettings {
 /// radius or find that H curves down. H may be indefinite; P is what the preconditioner has factored. The first
 /// direction is P⁻¹f, so that the model falls at least as far as along it. radius 0: the length of P⁻¹f.
 /// Ref: Steihaug 1983
-[[nodiscard]] TrustedStep trustedStep(const BlockMatrix& hessian, BlockCholesky& preconditioner,
-                                      std::span<const Vec3> forces, double radius, const TrustedStepSettings& settings);
+[[nodiscard]] TrustedStep trustedStep(const BlockMatrix& hessian, RoundedFactor& preconditioner,
+                                      std::span<const Vec3> forces, double radius, const TrustedStepSettings& settings,
+                                      Team* team = nullptr);
 
 } // namespace toile::dynamics

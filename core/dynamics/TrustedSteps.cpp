@@ -34,7 +34,8 @@ std::optional<TrustedStep> TrustedSteps::stepAt(std::span<const Vec3> x, std::sp
     ++served_;
     potential_.assemble(x, cloth::HessianForm::exact, exact_);
     exact_.settlePattern();
-    TrustedStep step = trustedStep(exact_, solver_.matrix(), forces, radius_, {.leastForce = leastForce_});
+    TrustedStep step =
+        trustedStep(exact_, preconditioner_, forces, radius_, {.leastForce = leastForce_}, potential_.team());
     if (radius_ == 0) radius_ = step.norm;
     gradients_ = step.iterations;
     log.gradientIterations = step.iterations;
@@ -49,6 +50,7 @@ bool TrustedSteps::factoredAt(std::span<const Vec3> x) {
     for (int attempt = 0; attempt < 12; ++attempt, inertia *= 10) {
         for (std::size_t u = 0; u < shift.size(); ++u) shift[u] = inertia * potential_.mass()[u];
         if (!solver_.matrix().factorize(shift)) continue;
+        preconditioner_.take(solver_.matrix().factor());
         served_ = 0;
         factored_ = true;
         return true;

@@ -39,7 +39,7 @@ Result<dynamics::StaticReport> Simulation::settle(const dynamics::StaticSettings
         return tl::unexpected(taut.error());
     }
     auto report = dynamics::solveStatic(garment_->model, state_, scene_.settings.gravity, plan_.stages(), settings,
-                                        stop, progress);
+                                        stop, progress, teamWorthWaking());
     if (!report) {
         state_ = before;
         return report;
