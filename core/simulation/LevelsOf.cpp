@@ -12,10 +12,10 @@ constexpr double leastMass = 0.05; ///< of a coarse particle over the mean of it
 } // namespace
 
 int coarseLevelsFor(int substeps) {
-    constexpr int bearable = 60, fewest = 20;
+    constexpr int bearable = 60, fewest = 24;
     if (substeps <= bearable) return 0;
     int levels = 0;
-    while (substeps >> (levels + 1) >= fewest) ++levels;
+    while ((substeps + (2 << levels) - 1) >> (levels + 1) >= fewest) ++levels;
     return levels;
 }
 

@@ -212,7 +212,7 @@ void tst_Runner::theWayToTheEquilibriumHasNoJumps() {
     Runner runner;
     runner.finishAtRest(true);
     Scene scene;
-    scene.settings.gravity.y *= 5; // millimetres of what few substeps leave soft
+    scene.settings.gravity.y *= 7; // millimetres of what few substeps leave soft
     scene.settings.damping = 2;
     scene.pattern.fabrics.push_back(plainCloth());
     pattern::Piece sheet = polygonPiece("sheet", {{0, 0}, {0.1, 0}, {0.1, 0.5}, {0, 0.5}}, 0.01);
