@@ -26,4 +26,17 @@ TensionResponse tensionResponse(const std::vector<material::TensionPoint>& curve
     return {stress + tangent * beyond, tangent, energy + beyond * (stress + 0.5 * tangent * beyond)};
 }
 
+double tensionSecant(const std::vector<material::TensionPoint>& curve, double strain) {
+    if (strain <= 0 || curve.empty()) return 1;
+    material::TensionPoint last; // f(0) = 1
+    for (const material::TensionPoint& point : curve) {
+        if (point.strain <= last.strain) continue;
+        if (strain <= point.strain)
+            return last.modulusFactor +
+                   (point.modulusFactor - last.modulusFactor) * (strain - last.strain) / (point.strain - last.strain);
+        last = point;
+    }
+    return tensionResponse(curve, strain).stress / strain;
+}
+
 } // namespace toile::cloth

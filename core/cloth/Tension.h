@@ -17,4 +17,7 @@ struct TensionResponse {
 /// See TensionCurves for the law. An empty curve is linear.
 [[nodiscard]] TensionResponse tensionResponse(const std::vector<material::TensionPoint>& curve, double strain);
 
+/// s(e)/e of the same, at less cost: 1 in compression.
+[[nodiscard]] double tensionSecant(const std::vector<material::TensionPoint>& curve, double strain);
+
 } // namespace toile::cloth

@@ -19,19 +19,18 @@ constexpr double flatEnough = 0.7;
 /// Part that the frame steps before have in what is measured [–].
 constexpr double remembered = 0.8;
 
-Vec3 weighted(const std::array<double, 3>& weights, const std::array<int, 3>& particles, std::span<const Vec3> x) {
+template <class Positions>
+Vec3 weighted(const std::array<double, 3>& weights, const std::array<int, 3>& particles, const Positions& x) {
     return weights[0] * x[particles[0]] + weights[1] * x[particles[1]] + weights[2] * x[particles[2]];
-}
-
-Vec3 weighted(const std::array<double, 3>& weights, const std::array<Vec3, 3>& x) {
-    return weights[0] * x[0] + weights[1] * x[1] + weights[2] * x[2];
 }
 
 /// Of which a thread's part holds at least so many: it takes some microseconds.
 struct LeastShare {
     int particles, centres, triangles;
 };
-constexpr LeastShare leastShare{1500, 400, 120};
+constexpr LeastShare leastShare{1500, 400, 60}; ///< triangles in fours
+
+constexpr int lanes = 4, corners = 3;
 
 /// Each coarse particle as the centre of mass of what follows it: the same weights, by coarse particle.
 Prolongation centresOf(const Prolongation& toFiner, std::span<const double> finerMass, std::span<const double> mass) {
@@ -55,7 +54,8 @@ double mixed(double before, double now, double old) {
 
 CoarseLevels::CoarseLevels(const LevelMesh& fine, std::span<const LevelMesh> coarser, std::span<const double> mass,
                            std::span<const double> inverseMass)
-    : mass_(mass.begin(), mass.end()), inverseMass_(inverseMass.begin(), inverseMass.end()) {
+    : kernels_(fastestKernels()), mass_(mass.begin(), mass.end()),
+      inverseMass_(inverseMass.begin(), inverseMass.end()) {
     expects(!coarser.empty(), "a hierarchy has a coarse level");
     expects(mass.size() == inverseMass.size() && static_cast<int>(mass.size()) == fine.particles, "one per particle");
     const auto compiled = [](const LevelMesh& mesh) {
@@ -75,8 +75,6 @@ CoarseLevels::CoarseLevels(const LevelMesh& fine, std::span<const LevelMesh> coa
     };
     fine_ = compiled(fine);
     const LevelMesh* finer = &fine;
-    std::vector<int> finerOrder(fine_.size()); // of the triangles as they are kept, in their mesh
-    std::iota(finerOrder.begin(), finerOrder.end(), 0);
     for (const LevelMesh& mesh : coarser) {
         std::vector<Triangle>& finerTriangles = levels_.empty() ? fine_ : levels_.back().triangles;
         const std::vector<double>& finerMass = levels_.empty() ? mass_ : levels_.back().mass;
@@ -96,35 +94,55 @@ CoarseLevels::CoarseLevels(const LevelMesh& fine, std::span<const LevelMesh> coa
         level.triangles = compiled(mesh);
         level.centres = centresOf(level.toFiner, finerMass, level.mass);
 
-        const std::vector<int> colours =
-            coloursOf(level.triangles, mesh.particles, [](const Triangle& t) { return t.particles; });
-        const std::vector<int> order = orderByColour(colours);
-        level.borders = bordersOfColours(colours);
-        std::vector<int> placeOf(order.size());
-        for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i]] = static_cast<int>(i);
-        level.triangles = inOrder(level.triangles, order);
         const std::vector<int> parents = parentsOf(*finer, mesh);
         std::vector<double> held(level.triangles.size(), 0);
         for (std::size_t t = 0; t < finerTriangles.size(); ++t) {
-            finerTriangles[t].parent = placeOf[parents[finerOrder[t]]];
+            finerTriangles[t].parent = parents[t];
             held[finerTriangles[t].parent] += finerTriangles[t].area;
         }
         for (Triangle& t : finerTriangles) t.share = t.area / held[t.parent];
         for (std::size_t t = 0; t < held.size(); ++t) level.triangles[t].area = held[t];
-        level.actions.assign(level.triangles.size(), {.weft = infinite, .warp = infinite});
-        level.positions.resize(mesh.particles);
+        compile(level, mesh.particles);
         level.before.resize(mesh.particles);
         level.meanU.resize(level.triangles.size());
         level.meanV.resize(level.triangles.size());
         levels_.push_back(std::move(level));
         finer = &mesh;
-        finerOrder = order;
+    }
+}
+
+/// Fours of triangles that share no particle. A lane without one has corners of its own, and nothing to do.
+void CoarseLevels::compile(Level& level, int particles) {
+    level.places.resize(particles + lanes * corners);
+    for (int c = 0; c < particles; ++c) level.places[c].inverseMass = level.inverseMass[c];
+    const ColouredGroups coloured =
+        colouredGroups(level.triangles, particles, lanes, [](const Triangle& t) { return t.particles; });
+    level.borders = coloured.borders;
+    level.seats.resize(level.triangles.size());
+    for (const auto& group : coloured.groups) {
+        FourLevelTriangles& four = level.fours.emplace_back();
+        four.weft.fill(infinite);
+        four.warp.fill(infinite);
+        for (int lane = 0; lane < lanes; ++lane) {
+            for (int k = 0; k < corners; ++k) four.particles[k][lane] = particles + lane * corners + k;
+            if (lane >= std::ssize(group)) continue;
+            const Triangle& t = level.triangles[group[lane]];
+            level.seats[group[lane]] = {static_cast<int>(level.fours.size()) - 1, lane};
+            for (int k = 0; k < corners; ++k) {
+                four.particles[k][lane] = t.particles[k];
+                four.u[k][lane] = t.u[k];
+                four.v[k][lane] = t.v[k];
+            }
+        }
     }
 }
 
 void CoarseLevels::forget() {
     for (Level& level : levels_)
-        for (Action& action : level.actions) action.weft = action.warp = infinite;
+        for (FourLevelTriangles& four : level.fours) {
+            four.weft.fill(infinite);
+            four.warp.fill(infinite);
+        }
 }
 
 double CoarseLevels::lightest() const {
@@ -174,11 +192,13 @@ void CoarseLevels::compileFor(double h, double cap) {
         for (std::size_t t = 0; t < level.triangles.size(); ++t) {
             const Triangle& triangle = level.triangles[t];
             const PerStrain w = worksOn(triangle, level.inverseMass);
+            const auto [at, lane] = level.seats[t];
             for (int k = 0; k < 3; ++k) {
-                level.actions[t].factors[k] = 0;
+                double& factor = level.fours[at].factors[k][lane];
+                factor = 0;
                 if (!(wanted[t][k] > 0) || !(w[k] > 0) || !(triangle.area > 0)) continue;
                 const double compliance = std::max(1 / (wanted[t][k] * triangle.area * h * h), w[k] / cap);
-                level.actions[t].factors[k] = 1 / (w[k] + compliance);
+                factor = 1 / (w[k] + compliance);
                 wanted[t][k] = std::max(0.0, wanted[t][k] - 1 / (compliance * triangle.area * h * h));
             }
         }
@@ -190,17 +210,17 @@ void CoarseLevels::compileFor(double h, double cap) {
 /// A coarse particle is the centre of mass of what follows it. Then a force between coarse particles along the line
 /// between them turns nothing: angular momentum is kept, and a tube on a smooth body does not begin to spin.
 void CoarseLevels::gather(std::span<const Vec3> positions, Team* team) {
-    std::span<const Vec3> from = positions;
-    for (Level& level : levels_) {
+    const auto gatherFrom = [team](const auto& from, Level& level) {
         inParts(team, level.centres.count(), leastShare.centres, [&](int begin, int end) {
             for (int c = begin; c < end; ++c) {
                 Vec3 sum;
                 for (const auto& [finer, share] : level.centres.of(c)) sum += share * from[finer];
-                level.positions[c] = level.before[c] = sum;
+                static_cast<Vec3&>(level.places[c]) = level.before[c] = sum;
             }
         });
-        from = level.positions;
-    }
+    };
+    gatherFrom(positions, levels_[0]);
+    for (std::size_t l = 1; l < levels_.size(); ++l) gatherFrom(levels_[l - 1].places, levels_[l]);
 }
 
 /// Beside a border centres of mass lie nearer together than the corners they stand for. By how much does not depend on
@@ -226,13 +246,14 @@ void CoarseLevels::measure(std::span<const Vec3> positions) {
             }
             const double weft = length(level.meanU[i]), warp = length(level.meanV[i]);
             const bool folded = weft < flatEnough || warp < flatEnough;
-            const Vec3 u = weighted(t.u, t.particles, level.positions), v = weighted(t.v, t.particles, level.positions);
+            const Vec3 u = weighted(t.u, t.particles, level.places), v = weighted(t.v, t.particles, level.places);
             const double shear = dot(u, v) - dot(level.meanU[i], level.meanV[i]);
-            Action& action = level.actions[i];
-            const double old = action.weft == infinite ? 0 : remembered;
-            action.weft = folded ? infinite : mixed(action.weft, length(u) / weft, old);
-            action.warp = folded ? infinite : mixed(action.warp, length(v) / warp, old);
-            action.shear = mixed(action.shear, shear, old);
+            FourLevelTriangles& four = level.fours[level.seats[i].four];
+            const int lane = level.seats[i].lane;
+            const double old = four.weft[lane] == infinite ? 0 : remembered;
+            four.weft[lane] = folded ? infinite : mixed(four.weft[lane], length(u) / weft, old);
+            four.warp[lane] = folded ? infinite : mixed(four.warp[lane], length(v) / warp, old);
+            four.shear[lane] = mixed(four.shear[lane], shear, old);
         }
     }
 }
@@ -241,47 +262,25 @@ void CoarseLevels::correct(std::span<Vec3> positions, Team* team) {
     gather(positions, team);
     for (std::size_t l = levels_.size(); l-- > 0;) {
         Level& level = levels_[l];
-        byColours(team, level.borders, leastShare.triangles, [&](int begin, int end) { sweep(level, begin, end); });
-        for (std::size_t c = 0; c < level.positions.size(); ++c) level.before[c] = level.positions[c] - level.before[c];
-        const std::span<const double> inverseMass = l > 0 ? levels_[l - 1].inverseMass : inverseMass_;
-        const std::span<Vec3> finer = l > 0 ? std::span<Vec3>(levels_[l - 1].positions) : positions;
-        inParts(team, level.toFiner.count(), leastShare.particles, [&](int begin, int end) {
-            for (int p = begin; p < end; ++p) {
-                if (inverseMass[p] == 0) continue;
-                Vec3 move;
-                for (const auto& [coarse, weight] : level.toFiner.of(p)) move += weight * level.before[coarse];
-                finer[p] += move;
-            }
+        byColours(team, level.borders, leastShare.triangles, [&](int begin, int end) {
+            kernels_.level(level.places.data(), std::span(level.fours).subspan(begin, end - begin));
         });
+        for (std::size_t c = 0; c < level.before.size(); ++c) level.before[c] = level.places[c] - level.before[c];
+        if (l > 0) carryDown(level, levels_[l - 1].places, levels_[l - 1].inverseMass, team);
+        else carryDown(level, positions, inverseMass_, team);
     }
 }
 
-void CoarseLevels::sweep(Level& level, int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-        const Triangle& t = level.triangles[i];
-        const Action& action = level.actions[i];
-        if (action.weft == infinite) continue;
-        std::array<Vec3, 3> x;
-        for (int k = 0; k < 3; ++k) x[k] = level.positions[t.particles[k]];
-        const auto move = [&](double lambda, const std::array<double, 3>& weights, const Vec3& direction) {
-            for (int k = 0; k < 3; ++k) x[k] += (lambda * weights[k] * level.inverseMass[t.particles[k]]) * direction;
-        };
-        // A fold brings corners nearer and is no compression: only what is taut pulls.
-        const auto pull = [&](double factor, double flat, const std::array<double, 3>& weights) {
-            const Vec3 f = weighted(weights, x);
-            const double stretch = length(f);
-            if (stretch > flat) move(-factor * (stretch - flat) / stretch, weights, f);
-        };
-        if (action.factors[0] > 0) pull(action.factors[0], action.weft, t.u);
-        if (action.factors[1] > 0) pull(action.factors[1], action.warp, t.v);
-        if (action.factors[2] > 0) {
-            const Vec3 u = weighted(t.u, x), v = weighted(t.v, x);
-            const double lambda = -action.factors[2] * (dot(u, v) - action.shear);
-            move(lambda, t.u, v);
-            move(lambda, t.v, u);
+template <class Positions>
+void CoarseLevels::carryDown(const Level& level, Positions& finer, std::span<const double> inverseMass, Team* team) {
+    inParts(team, level.toFiner.count(), leastShare.particles, [&](int begin, int end) {
+        for (int p = begin; p < end; ++p) {
+            if (inverseMass[p] == 0) continue;
+            Vec3 move;
+            for (const auto& [coarse, weight] : level.toFiner.of(p)) move += weight * level.before[coarse];
+            finer[p] += move;
         }
-        for (int k = 0; k < 3; ++k) level.positions[t.particles[k]] = x[k];
-    }
+    });
 }
 
 std::size_t CoarseLevels::bytes() const {
@@ -290,11 +289,11 @@ std::size_t CoarseLevels::bytes() const {
     for (const Level& level : levels_)
         sum +=
             (level.mass.capacity() + level.inverseMass.capacity()) * sizeof(double) +
-            level.triangles.capacity() * sizeof(Triangle) + level.actions.capacity() * sizeof(Action) +
+            level.triangles.capacity() * sizeof(Triangle) + level.seats.capacity() * sizeof(Seat) +
+            level.fours.capacity() * sizeof(FourLevelTriangles) + level.places.capacity() * sizeof(Place) +
             (level.toFiner.begin.capacity() + level.centres.begin.capacity() + level.borders.capacity()) * sizeof(int) +
             (level.toFiner.terms.capacity() + level.centres.terms.capacity()) * sizeof(Prolongation::Term) +
-            (level.positions.capacity() + level.before.capacity() + level.meanU.capacity() + level.meanV.capacity()) *
-                sizeof(Vec3);
+            (level.before.capacity() + level.meanU.capacity() + level.meanV.capacity()) * sizeof(Vec3);
     return sum;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/Team.h"
 #include "core/dynamics/LevelMesh.h"
 #include "core/dynamics/Prolongation.h"
+#include "core/dynamics/SweepKernels.h"
 
 #include <cstddef>
 #include <span>
@@ -48,29 +49,31 @@ private:
         double share = 0;               ///< of its parent's area [–]
         PerStrain modulus{};            ///< of the fabric [N/m]
     };
-    /// What a coarse triangle does in a substep.
-    struct Action {
-        PerStrain factors{}; ///< 1/(w + compliance); 0 = nothing is missing
-        double weft = 0,
-               warp = 0;  ///< |F_u|, |F_v| of its corners when the cloth in it is flat; infinite while it is folded
-        double shear = 0; ///< F_u·F_v of its corners when the cloth in it is not sheared
+    /// Where a triangle stands among the fours.
+    struct Seat {
+        int four = 0, lane = 0;
     };
     struct Level {
         std::vector<double> mass, inverseMass;
-        std::vector<Triangle> triangles; ///< in the order of the sweep
-        std::vector<int> borders;        ///< triangles between two of them share no particle
+        std::vector<Triangle> triangles;
+        std::vector<FourLevelTriangles> fours; ///< the same in the order of the sweep, with what they do in a substep
+        std::vector<Seat> seats;               ///< of each triangle
+        std::vector<int> borders;              ///< fours between two of them share no particle
         Prolongation toFiner;
         Prolongation centres; ///< of each coarse particle, what it is the centre of mass of, with shares of its mass
-        std::vector<Action> actions;
-        std::vector<Vec3> positions, before; ///< now, and before this level's sweep
-        std::vector<Vec3> meanU, meanV;      ///< F_u, F_v of each triangle, the mean over the cloth in it
+        std::vector<Place> places;      ///< now, then the corners of lanes without a triangle
+        std::vector<Vec3> before;       ///< this level's sweep; after it, what it moved
+        std::vector<Vec3> meanU, meanV; ///< F_u, F_v of each triangle, the mean over the cloth in it
     };
 
     void compileFor(double h, double cap);
     void gather(std::span<const Vec3> positions, Team* team = nullptr);
     void measure(std::span<const Vec3> positions);
-    static void sweep(Level& level, int begin, int end);
+    static void compile(Level& level, int particles);
+    template <class Positions>
+    static void carryDown(const Level& level, Positions& finer, std::span<const double> inverseMass, Team* team);
 
+    const SweepKernels& kernels_;
     std::vector<Triangle> fine_;
     std::vector<double> mass_, inverseMass_;
     std::vector<Level> levels_; ///< finest first

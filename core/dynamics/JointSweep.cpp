@@ -35,11 +35,6 @@ void solveSmall(std::array<std::array<double, N>, N>& a, std::array<double, N>& 
     }
 }
 
-/// s(e)/e of a tension curve.
-double secant(const std::vector<material::TensionPoint>& curve, double strain) {
-    return strain > 0 && !curve.empty() ? cloth::tensionResponse(curve, strain).stress / strain : 1;
-}
-
 constexpr double shortest = 1e-12; ///< [m]; a shorter spring has no direction of its own
 
 } // namespace
@@ -193,7 +188,8 @@ void JointSweep::applyTriangles(std::span<Place> x) const {
         const cloth::Symmetric2 e = stretch.strain();
         const cloth::TensionCurves& curves = t.tension >= 0 ? model_.tensionCurves[t.tension] : linear;
         const auto& c = t.stiffness;
-        const double c11 = c.c11 * secant(curves.weft, e.xx), c22 = c.c22 * secant(curves.warp, e.yy);
+        const double c11 = c.c11 * cloth::tensionSecant(curves.weft, e.xx),
+                     c22 = c.c22 * cloth::tensionSecant(curves.warp, e.yy);
         // ½(C11 − C12²/C22)·E_xx² + ½C22·(E_yy + r·E_xx)² + ½C33·γ², r = C12/C22: three independent constraints
         const double r = c22 > 0 ? c.c12 / c22 : 0;
         const std::array<double, 3> values{e.xx, e.yy + r * e.xx, 2 * e.xy};
@@ -229,7 +225,8 @@ void JointSweep::applyCells(std::span<Place> x) const {
         const cloth::TensionCurves& curves = cell.tension >= 0 ? model_.tensionCurves[cell.tension] : linear;
         const auto& c = cell.stiffness;
         const double area = cell.width * cell.height;
-        const double c11 = c.c11 * secant(curves.weft, weft), c22 = c.c22 * secant(curves.warp, warp);
+        const double c11 = c.c11 * cloth::tensionSecant(curves.weft, weft),
+                     c22 = c.c22 * cloth::tensionSecant(curves.warp, warp);
         const double r = c22 > 0 ? c.c12 / c22 : 0;
         // Mean strains as in the triangle, half differences of opposite sides, and the shear: independent again.
         const std::array<double, 5> values{weft, warp + r * weft, 0.5 * (strain[0] - strain[1]),

@@ -56,6 +56,15 @@ struct alignas(32) FourHinges {
     std::array<FourIndices, 4> particles{}; ///< a, b, c, d
 };
 
+/// Coarse triangles (CoarseLevels): F_u = Σ u·x, F_v = Σ v·x of their corners.
+struct alignas(32) FourLevelTriangles {
+    std::array<FourNumbers, 3> u{}, v{};  ///< [1/m]
+    std::array<FourNumbers, 3> factors{}; ///< of weft, warp and shear: 1/(w + compliance); 0 = nothing is missing
+    FourNumbers weft{}, warp{};           ///< |F_u|, |F_v| when the cloth in it is flat; infinite while it is folded
+    FourNumbers shear{};                  ///< F_u·F_v when the cloth in it is not sheared
+    std::array<FourIndices, 3> particles{};
+};
+
 /// What tension curves make of elements, from their strains.
 class TensionLaw {
 public:

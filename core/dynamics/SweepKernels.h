@@ -19,6 +19,7 @@ struct SweepKernels {
                       int first);
     void (*cells)(Place* places, std::span<const FourCells> cells, double cap, const TensionLaw* law, int first);
     void (*hinges)(Place* places, std::span<const FourHinges> hinges, double cap);
+    void (*level)(Place* places, std::span<const FourLevelTriangles> triangles);
 };
 
 /// For every processor.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <immintrin.h>
+#include <limits>
 #include <numbers>
 // From here on, so that nothing inline of the headers above is compiled for AVX2 and taken for all processors.
 #pragma GCC target("avx2")

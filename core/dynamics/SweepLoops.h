@@ -8,6 +8,7 @@
 #include "core/dynamics/SweepLanes.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace toile::dynamics {
@@ -200,34 +201,56 @@ void sweepCells(Place* places, std::span<const FourCells> cells, double cap, con
         const Four values[5] = {weft, warp + coupling * weft, half * (strain[0] - strain[1]),
                                 half * (strain[2] - strain[3]), dot(xu, xv)};
 
-        const Vectors none, lower = along[0] * u, upper = along[1] * u, left = along[2] * v, right = along[3] * v;
-        const Vectors shearU = xv * (half * u), shearV = xu * (half * v);
-        const Vectors bySide[5][4] = {{lower, upper, none, none},
-                                      {lower * coupling, upper * coupling, left, right},
-                                      {lower, none - upper, none, none},
-                                      {none, none, left, none - right},
-                                      {shearU, shearU, shearV, shearV}};
-        Vectors gradients[5][4];
-        for (int k = 0; k < 5; ++k) { // as cloth::sideWeights has it
-            const auto& [low, up, l, r] = bySide[k];
-            gradients[k][0] = none - low - l;
-            gradients[k][1] = low - r;
-            gradients[k][2] = up + r;
-            gradients[k][3] = l - up;
-        }
+        // How strains of sides act on each other: a side moves its ends along itself, so that opposite sides share
+        // none, and neighbours one.
+        const Vectors lower = along[0] * u, upper = along[1] * u, left = along[2] * v, right = along[3] * v;
+        const Four w0 = corners[0].inverseMass, w1 = corners[1].inverseMass, w2 = corners[2].inverseMass,
+                   w3 = corners[3].inverseMass;
+        const Four lowerSelf = (w0 + w1) * dot(lower, lower), upperSelf = (w2 + w3) * dot(upper, upper);
+        const Four leftSelf = (w0 + w3) * dot(left, left), rightSelf = (w1 + w2) * dot(right, right);
+        const Four lowerLeft = w0 * dot(lower, left), lowerRight = -w1 * dot(lower, right);
+        const Four upperLeft = -w3 * dot(upper, left), upperRight = w2 * dot(upper, right);
+        const Vectors p = xv * (half * u), q = xu * (half * v), rising = p + q, falling = p - q;
+        const Four lowerShear = w0 * dot(lower, rising) + w1 * dot(lower, falling);
+        const Four upperShear = w2 * dot(upper, rising) + w3 * dot(upper, falling);
+        const Four leftShear = w0 * dot(left, rising) - w3 * dot(left, falling);
+        const Four rightShear = w2 * dot(right, rising) - w1 * dot(right, falling);
+
+        // The same of their sums and half differences, of the warp with its coupling, and of the shear.
+        const Four weftSelf = lowerSelf + upperSelf, weftUneven = lowerSelf - upperSelf;
+        const Four warpSelf = leftSelf + rightSelf, warpUneven = leftSelf - rightSelf;
+        const Four weftWarp = (lowerLeft + lowerRight) + (upperLeft + upperRight);
+        const Four unevenWarp = (lowerLeft + lowerRight) - (upperLeft + upperRight);
+        const Four weftUnevenWarp = (lowerLeft - lowerRight) + (upperLeft - upperRight);
+        const Four bothUneven = (lowerLeft - lowerRight) - (upperLeft - upperRight);
+        const Four weftShear = lowerShear + upperShear;
         Four g[5][5], lambda[5];
-        for (int k = 0; k < 5; ++k)
-            for (int l = 0; l <= k; ++l) {
-                g[k][l] = Four{};
-                for (int i = 0; i < 4; ++i) g[k][l] += corners[i].inverseMass * dot(gradients[k][i], gradients[l][i]);
-            }
+        g[0][0] = weftSelf;
+        g[1][0] = weftWarp + coupling * weftSelf;
+        g[1][1] = warpSelf + coupling * (weftWarp + g[1][0]);
+        g[2][0] = weftUneven;
+        g[2][1] = unevenWarp + coupling * weftUneven;
+        g[2][2] = weftSelf;
+        g[3][0] = weftUnevenWarp;
+        g[3][1] = warpUneven + coupling * weftUnevenWarp;
+        g[3][2] = bothUneven;
+        g[3][3] = warpSelf;
+        g[4][0] = weftShear;
+        g[4][1] = leftShear + rightShear + coupling * weftShear;
+        g[4][2] = lowerShear - upperShear;
+        g[4][3] = leftShear - rightShear;
+        g[4][4] = (w0 + w2) * dot(rising, rising) + (w1 + w3) * dot(falling, falling);
         solve<5>(g, lambda, values, response.compliance, cap);
-        for (int i = 0; i < 4; ++i) {
-            Vectors move;
-            for (int k = 0; k < 5; ++k) move = move + gradients[k][i] * lambda[k];
-            corners[i].at = corners[i].at + move * corners[i].inverseMass;
-            scatter(places, cell.particles[i], corners[i]);
-        }
+
+        const Four mean = lambda[0] + coupling * lambda[1];
+        const Vectors byLower = lower * (mean + lambda[2]), byUpper = upper * (mean - lambda[2]);
+        const Vectors byLeft = left * (lambda[1] + lambda[3]), byRight = right * (lambda[1] - lambda[3]);
+        const Vectors byRising = rising * lambda[4], byFalling = falling * lambda[4];
+        corners[0].at = corners[0].at - (byLower + byLeft + byRising) * w0;
+        corners[1].at = corners[1].at + (byLower - byRight + byFalling) * w1;
+        corners[2].at = corners[2].at + (byUpper + byRight + byRising) * w2;
+        corners[3].at = corners[3].at + (byLeft - byUpper - byFalling) * w3;
+        for (int i = 0; i < 4; ++i) scatter(places, cell.particles[i], corners[i]);
     }
 }
 
@@ -266,7 +289,40 @@ void sweepHinges(Place* places, std::span<const FourHinges> hinges, double cap) 
     }
 }
 
-constexpr SweepKernels kernels{sweepSprings, sweepLinear<3>, sweepLinear<4>, sweepTriangles, sweepCells, sweepHinges};
+/// A fold brings corners nearer and is no compression: only what is taut pulls, along its chord.
+TOILE_LANES void pullTaut(Corners (&corners)[3], const Four (&weights)[3], Four factor, Four flat) {
+    const Vectors f = corners[0].at * weights[0] + corners[1].at * weights[1] + corners[2].at * weights[2];
+    const Four stretch = squareRoot(dot(f, f));
+    const Four lambda = stretch > flat ? -factor * (stretch - flat) / stretch : Four{};
+    for (int i = 0; i < 3; ++i) corners[i].at = corners[i].at + f * (lambda * weights[i] * corners[i].inverseMass);
+}
+
+void sweepLevel(Place* places, std::span<const FourLevelTriangles> triangles) {
+    for (const FourLevelTriangles& t : triangles) {
+        Corners corners[3];
+        Four u[3], v[3];
+        for (int i = 0; i < 3; ++i) {
+            corners[i] = gather(places, t.particles[i]);
+            u[i] = load(t.u[i]);
+            v[i] = load(t.v[i]);
+        }
+        const Four weft = load(t.weft);
+        pullTaut(corners, u, load(t.factors[0]), weft);
+        pullTaut(corners, v, load(t.factors[1]), load(t.warp));
+        const Vectors fu = corners[0].at * u[0] + corners[1].at * u[1] + corners[2].at * u[2];
+        const Vectors fv = corners[0].at * v[0] + corners[1].at * v[1] + corners[2].at * v[2];
+        const FourFlags isFolded = weft == all(std::numeric_limits<double>::infinity());
+        const Four lambda = isFolded ? Four{} : -load(t.factors[2]) * (dot(fu, fv) - load(t.shear));
+        for (int i = 0; i < 3; ++i) {
+            const Four w = lambda * corners[i].inverseMass;
+            corners[i].at = corners[i].at + fv * (w * u[i]) + fu * (w * v[i]);
+            scatter(places, t.particles[i], corners[i]);
+        }
+    }
+}
+
+constexpr SweepKernels kernels{sweepSprings, sweepLinear<3>, sweepLinear<4>, sweepTriangles,
+                               sweepCells,   sweepHinges,    sweepLevel};
 
 } // namespace
 } // namespace toile::dynamics

@@ -18,11 +18,6 @@ struct LeastShare {
 };
 constexpr LeastShare leastShare{6000, 600, 80, 40, 1200, 40};
 
-/// s(e)/e of a tension curve.
-double secant(const std::vector<material::TensionPoint>& curve, double strain) {
-    return strain > 0 && !curve.empty() ? cloth::tensionResponse(curve, strain).stress / strain : 1;
-}
-
 double areaOf(const cloth::MembraneTriangle& triangle) {
     return triangle.area;
 }
@@ -46,8 +41,8 @@ struct Membrane {
         std::array<double, 4> compliance; ///< [1/kg]
     };
     [[nodiscard]] Response under(double weft, double warp, double h) const {
-        const double c11 = curves ? stiffness.c11 * secant(curves->weft, weft) : stiffness.c11;
-        const double c22 = curves ? stiffness.c22 * secant(curves->warp, warp) : stiffness.c22;
+        const double c11 = curves ? stiffness.c11 * cloth::tensionSecant(curves->weft, weft) : stiffness.c11;
+        const double c22 = curves ? stiffness.c22 * cloth::tensionSecant(curves->warp, warp) : stiffness.c22;
         const double r = c22 > 0 ? stiffness.c12 / c22 : 0;
         const double along = complianceOf(area * c11, h), across = complianceOf(area * c22, h);
         return {r, {complianceOf(area * (c11 - r * stiffness.c12), h), across, along, across}};
@@ -74,7 +69,7 @@ public:
               std::span<FourNumbers> compliance) const override {
         for (int lane = 0; lane < lanes; ++lane) {
             const Membrane& membrane = fours[four][lane];
-            if (!membrane.curves) continue;
+            if (!membrane.curves || (weft[lane] <= 0 && warp[lane] <= 0)) continue; // as slack as it was compiled
             const auto response = membrane.under(weft[lane], warp[lane], h_);
             coupling[lane] = response.coupling;
             for (std::size_t c = 0; c + 1 < compliance.size(); ++c) compliance[c][lane] = response.compliance[c];

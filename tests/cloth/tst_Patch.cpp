@@ -299,6 +299,8 @@ private slots:
         QVERIFY(std::abs(cloth::tensionResponse(curve, 1e-6).stress - 1e-6) < 2e-11); // modulus 1 at rest
         for (double e = -0.05; e < 0.4; e += 0.0173) {
             const auto response = cloth::tensionResponse(curve, e);
+            QVERIFY(std::abs(cloth::tensionSecant(curve, e) * e - response.stress) <=
+                    1e-14 * std::abs(response.stress));
             constexpr double d = 1e-6;
             const auto above = cloth::tensionResponse(curve, e + d), below = cloth::tensionResponse(curve, e - d);
             QVERIFY(std::abs((above.energy - below.energy) / (2 * d) - response.stress) < 1e-9);

@@ -89,6 +89,36 @@ private slots:
         QCOMPARE(swept(cloth.model, cloth.positions, *fast), plain);
     }
 
+    /// Of coarse levels: folded ones and ones that nothing is missing from among them.
+    void everyProcessorPullsCoarseTrianglesAlike() {
+        const SweepKernels* fast = dynamics::avx2Kernels();
+        if (!fast) return; // there is one kind here
+        constexpr double infinite = std::numeric_limits<double>::infinity();
+        std::vector<dynamics::Place> start(12);
+        std::vector<Vec3> corners(start.size());
+        shake(corners, 1);
+        for (std::size_t p = 0; p < start.size(); ++p) {
+            static_cast<Vec3&>(start[p]) = corners[p];
+            start[p].inverseMass = 1 + static_cast<double>(p % 3);
+        }
+        dynamics::FourLevelTriangles four{.factors = {{{0.1, 0.2, 0.3, 0}, {0.2, 0.2, 0, 0.1}, {0.1, 0, 0.1, 0.1}}},
+                                          .weft = {0.5, infinite, 0.1, 0.2},
+                                          .warp = {0.4, infinite, 0.2, 0.1},
+                                          .shear = {0.1, 0, -0.1, 0.2}};
+        for (int lane = 0; lane < 4; ++lane)
+            for (int corner = 0; corner < 3; ++corner) {
+                four.particles[corner][lane] = 3 * lane + corner;
+                four.u[corner][lane] = std::array{-1.0, 1.0, 0.0}[corner];
+                four.v[corner][lane] = std::array{-1.0, 0.0, 1.0}[corner];
+            }
+        std::vector<dynamics::Place> plain = start, quick = start;
+        dynamics::plainKernels().level(plain.data(), std::span(&four, 1));
+        fast->level(quick.data(), std::span(&four, 1));
+        QVERIFY(plain == quick);
+        QVERIFY(plain[0] != start[0]);
+        for (int corner = 3; corner < 6; ++corner) QVERIFY(plain[corner] == start[corner]); // folded: left alone
+    }
+
     /// The share of springs and stencils is rounded to 6e-8 of itself, and with it a move of some millimetres.
     void elementsMoveAsBesideAJoint() {
         constexpr double single = 5e-10, full = 1e-13; // [m]
