@@ -16,13 +16,15 @@ function(toile_room name)
     target_link_libraries(toile_${name} PUBLIC toile_options ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE_LINKS})
 endfunction()
 
-# toile_tests(ROOM [LINKS library...])
+# toile_tests(ROOM [COMMON header...] [LINKS library...])
 # Every tst_<Unit>.cpp of this folder is one QtTest program, labelled with the room: `ctest -L ROOM`. The target
-# `tests_ROOM` builds them.
+# `tests_ROOM` builds them. COMMON headers, which many of them include, are parsed once.
 function(toile_tests room)
-    cmake_parse_arguments(TESTS "" "" "LINKS" ${ARGN})
+    cmake_parse_arguments(TESTS "" "" "COMMON;LINKS" ${ARGN})
+    list(TRANSFORM TESTS_COMMON PREPEND ${CMAKE_SOURCE_DIR}/)
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tst_*.cpp)
     add_custom_target(tests_${room})
+    set(first "")
     foreach(source IN LISTS sources)
         get_filename_component(test ${source} NAME_WE)
         # The one file has the one class: AUTOMOC would compile another for every test.
@@ -30,9 +32,16 @@ function(toile_tests room)
         qt_generate_moc(${source} ${moc})
         add_executable(${test} ${source} ${moc})
         add_dependencies(tests_${room} ${test})
-        set_target_properties(${test} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+        set_target_properties(${test} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests UNITY_BUILD OFF)
         target_include_directories(${test} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
         target_link_libraries(${test} PRIVATE toile_options ${TESTS_LINKS} Qt6::Test)
+        if(first)
+            target_precompile_headers(${test} REUSE_FROM ${first})
+        else()
+            set(first ${test})
+            target_precompile_headers(${test} PRIVATE <QTest> <algorithm> <array> <cmath> <filesystem> <functional>
+                <map> <memory> <optional> <set> <span> <string> <variant> <vector> ${TESTS_COMMON})
+        endif()
         add_test(NAME ${test} COMMAND ${test})
         set_tests_properties(${test} PROPERTIES LABELS ${room} TIMEOUT 900
             ENVIRONMENT "QT_QPA_PLATFORM=offscreen;TOILE_SOURCE_DIR=${CMAKE_SOURCE_DIR};TOILE_BINARY_DIR=${CMAKE_BINARY_DIR}")

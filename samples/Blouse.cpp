@@ -56,16 +56,17 @@ Seam waistDartSeam(const std::string& name, const Piece& piece, const std::strin
                 {against(piece, "waist-dart-left-upper" + suffix), against(piece, "waist-dart-left-lower" + suffix)});
 }
 
-struct Torso {
+struct BlouseTorso {
     Piece front, back;
 };
 
-Result<Torso> draftTorso(const body::Measurements& m, const Figures& f, const Fabric& fabric, const BlouseSettings& s) {
+Result<BlouseTorso> draftTorso(const body::Measurements& m, const Figures& f, const Fabric& fabric,
+                               const BlouseSettings& s) {
     const auto drafted = draftUpperBlock(m, f, s.block);
     if (!drafted) return tl::unexpected(drafted.error());
     const UpperBlock& block = *drafted;
-    Torso torso{pieceNamed("front-left", "Front left", fabric, s.spacing),
-                pieceNamed("back", "Back", fabric, s.spacing)};
+    BlouseTorso torso{pieceNamed("front-left", "Front left", fabric, s.spacing),
+                      pieceNamed("back", "Back", fabric, s.spacing)};
     torso.front.outline = halfContour("front-left", block.front);
     torso.back.outline = contourOf("back", wholeFromHalf(block.back, "neck-centre", "-right", "-left"));
     torso.front.holes = {waistDart("front-left", "", {s.frontWaistDart.fromCentre, -f.frontWaist}, s.frontWaistDart)};
@@ -112,7 +113,7 @@ Result<document::Document> blouse(const body::Measurements& m, const body::Body&
     const SleeveSettings sleeveDraft = sleeveSettings(m, s);
     auto drafted = draftTorso(m, figuresOf(m, body.landmarks), fabric, s);
     if (!drafted) return tl::unexpected(drafted.error());
-    Torso& torso = *drafted;
+    BlouseTorso& torso = *drafted;
     const NotchDistances at;
     const Armholes armholes{edgeLength(torso.front, edgeId("front-left", "armhole")),
                             edgeLength(torso.back, edgeId("back", "armhole-right")), at.front, at.back};

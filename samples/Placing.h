@@ -6,6 +6,11 @@
 
 namespace toile::samples {
 
+/// Level, right side up, the piece's y axis away from the viewer (−z).
+[[nodiscard]] inline Transform lyingAt(const Vec3& origin) {
+    return {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}, origin};
+}
+
 /// The placement that makes a mirror piece (mirrored at the piece's own y axis) start as the mirror image, x ↦ −x of
 /// the world, of its source.
 [[nodiscard]] pattern::Placement mirrored(const pattern::Placement& placement);

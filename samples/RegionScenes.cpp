@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samples/RegionScenes.h"
+#include "samples/Placing.h"
 
 #include "core/material/FabricPresets.h"
 #include "samples/Lathe.h"
@@ -16,11 +17,6 @@ using namespace pattern;
 constexpr double mainSpacing = 0.02; // [m]
 constexpr double rodRadius = 0.01, rodHeight = 0.6, rodLength = 0.2;
 constexpr double stripWidth = 0.1;
-
-/// Level, right side up, the piece's y axis away from the viewer (−z).
-Transform lyingAt(const Vec3& origin) {
-    return {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}, origin};
-}
 
 Region finer(const std::string& name, Vec2 low, Vec2 high) {
     Region region;

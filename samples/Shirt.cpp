@@ -12,7 +12,7 @@ namespace {
 
 using namespace pattern;
 
-struct Torso {
+struct ShirtTorso {
     Piece frontLeft, frontRight, back, yoke;
 };
 
@@ -52,7 +52,7 @@ DividedBack dividedAt(double level, std::vector<Stroke> half) {
     return divided;
 }
 
-void placeTorso(Torso& torso, const Piece& wholeBack, const body::Body& body) {
+void placeTorso(ShirtTorso& torso, const Piece& wholeBack, const body::Body& body) {
     constexpr double rightOverLeft = 0.008;                 // [m]
     const double height = body.landmarks.neckLeft.y + 0.03; // drawn together above the shoulders, they sink on them
     const Panel before{.behind = false, .height = height, .lean = 0.22};
@@ -64,15 +64,15 @@ void placeTorso(Torso& torso, const Piece& wholeBack, const body::Body& body) {
     torso.frontRight.layer = 1;
 }
 
-Result<Torso> draftTorso(const body::Measurements& m, const body::Body& body, const Fabric& fabric,
-                         const ShirtSettings& s) {
+Result<ShirtTorso> draftTorso(const body::Measurements& m, const body::Body& body, const Fabric& fabric,
+                              const ShirtSettings& s) {
     const Figures f = figuresOf(m, body.landmarks);
     const auto block = draftUpperBlock(m, f, s.block);
     if (!block) return tl::unexpected(block.error());
-    Torso torso{pieceNamed("front-left", "Front left", fabric, s.spacing),
-                {},
-                pieceNamed("back", "Back", fabric, s.spacing),
-                pieceNamed("yoke", "Yoke", fabric, s.spacing)};
+    ShirtTorso torso{pieceNamed("front-left", "Front left", fabric, s.spacing),
+                     {},
+                     pieceNamed("back", "Back", fabric, s.spacing),
+                     pieceNamed("yoke", "Yoke", fabric, s.spacing)};
     torso.frontLeft.outline = contourOf("front-left", withButtonStand(block->front, s.buttonStand));
     const auto divided = dividedAt(-(f.backNeckDepth + s.yokeDepth), block->back);
     torso.back.outline = contourOf("back", wholeFromHalf(divided.back, "yoke-centre", "-right", "-left"));
@@ -131,7 +131,7 @@ Tack button(int number, double diameter, ClothPoint left, ClothPoint right) {
 }
 
 /// The first on the stand, five down the centre of the fronts.
-std::vector<Tack> buttons(const Torso& torso, const CollarStand& stand, const ShirtSettings& s) {
+std::vector<Tack> buttons(const ShirtTorso& torso, const CollarStand& stand, const ShirtSettings& s) {
     const auto at = [&](const char* vertex) {
         return vertexPosition(torso.frontLeft, vertexId("front-left", vertex)).y;
     };
@@ -166,7 +166,7 @@ Result<document::Document> shirt(const body::Measurements& m, const body::Body& 
     const Fabric fabric = material::poplin();
     const auto drafted = draftTorso(m, body, fabric, s);
     if (!drafted) return tl::unexpected(drafted.error());
-    const Torso& torso = *drafted;
+    const ShirtTorso& torso = *drafted;
 
     const NotchDistances at;
     const double backArmhole = edgeLength(torso.back, edgeId("back", "armhole-right")) +

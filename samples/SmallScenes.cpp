@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samples/SmallScenes.h"
+#include "samples/Placing.h"
 
 #include "core/material/FabricPresets.h"
 #include "samples/Lathe.h"
@@ -16,11 +17,6 @@ using namespace pattern;
 
 constexpr double tableRadius = 0.45, tableHeight = 0.735; // [m]
 constexpr double cylinderRadius = 0.10, cylinderHeight = 0.60;
-
-/// Level, right side up, the piece's y axis away from the viewer (−z).
-Transform lyingAt(const Vec3& origin) {
-    return {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}, origin};
-}
 
 Fabric linearCloth(const std::string& id, double stiffness) {
     Fabric fabric;

@@ -15,16 +15,16 @@ namespace {
 
 using namespace pattern;
 
-struct Torso {
+struct TShirtTorso {
     Piece front, back;
 };
 
-Result<Torso> draftTorso(const body::Measurements& m, const body::Body& body, const Fabric& fabric,
-                         const TShirtSettings& s) {
+Result<TShirtTorso> draftTorso(const body::Measurements& m, const body::Body& body, const Fabric& fabric,
+                               const TShirtSettings& s) {
     const auto drafted = draftUpperBlock(m, figuresOf(m, body.landmarks), s.block);
     if (!drafted) return tl::unexpected(drafted.error());
     const UpperBlock& block = *drafted;
-    Torso torso{pieceNamed("front", "Front", fabric, s.spacing), pieceNamed("back", "Back", fabric, s.spacing)};
+    TShirtTorso torso{pieceNamed("front", "Front", fabric, s.spacing), pieceNamed("back", "Back", fabric, s.spacing)};
     torso.front.outline = contourOf("front", wholeFromHalf(block.front, "neck-centre", "-left", "-right"));
     torso.back.outline = contourOf("back", wholeFromHalf(block.back, "neck-centre", "-right", "-left"));
     const NotchDistances at;
@@ -38,7 +38,7 @@ Result<Torso> draftTorso(const body::Measurements& m, const body::Body& body, co
     return torso;
 }
 
-double necklineLength(const Torso& torso) {
+double necklineLength(const TShirtTorso& torso) {
     return 2 * (edgeLength(torso.front, edgeId("front", "neckline-left")) +
                 edgeLength(torso.back, edgeId("back", "neckline-left")));
 }
@@ -56,7 +56,7 @@ Piece draftNeckband(const Fabric& fabric, const body::Body& body, double length,
 }
 
 /// From the centre back over the right shoulder, the front and the left shoulder to the centre back again.
-std::vector<Side> wholeNeckline(const Torso& torso) {
+std::vector<Side> wholeNeckline(const TShirtTorso& torso) {
     return {against(torso.back, "neckline-right"), against(torso.front, "neckline-right"),
             against(torso.front, "neckline-left"), against(torso.back, "neckline-left")};
 }
@@ -67,7 +67,7 @@ Result<document::Document> tShirt(const body::Measurements& m, const body::Body&
     const Fabric jersey = material::jersey(), rib = material::rib();
     const auto drafted = draftTorso(m, body, jersey, s);
     if (!drafted) return tl::unexpected(drafted.error());
-    const Torso& torso = *drafted;
+    const TShirtTorso& torso = *drafted;
     const NotchDistances at;
     const Armholes armholes{edgeLength(torso.front, edgeId("front", "armhole-left")),
                             edgeLength(torso.back, edgeId("back", "armhole-left")), at.front, at.back};

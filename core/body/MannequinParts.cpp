@@ -6,13 +6,6 @@
 
 namespace toile::body {
 
-namespace {
-
-// The tables below draw a woman with the default measurements; everything else is scaled from her.
-const Measurements drawn;
-
-} // namespace
-
 Scales scalesOf(const Measurements& m, const ShapeFactors& f) {
     return {m.height / drawn.height,
             m.underBust / drawn.underBust * f.ribs,

@@ -5,6 +5,9 @@
 
 namespace toile::body {
 
+/// The woman that the tables of parts draw, with the default measurements; everything else is scaled from her.
+inline constexpr Measurements drawn;
+
 /// How much larger than the drawn woman each part is [–].
 struct Scales {
     double tall = 1, ribs = 1, chest = 1, waist = 1, hip = 1, thigh = 1, neck = 1, biceps = 1, wrist = 1;

@@ -10,7 +10,6 @@ namespace toile::body {
 
 namespace {
 
-const Measurements drawn;
 constexpr double jointInside = 0.022, jointBelow = 0.056; ///< from the acromion to the shoulder joint [m]
 
 double tallness(const Measurements& m) {

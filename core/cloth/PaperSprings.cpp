@@ -13,39 +13,39 @@ namespace {
 
 /// A symmetric stiffness tensor by its six constants in an orthonormal basis (Mandel): distances between tensors do not
 /// depend on the axes.
-using Constants = Eigen::Vector<double, 6>;
+using SixConstants = Eigen::Vector<double, 6>;
 
 constexpr double root2 = 1.4142135623730951;
 
 /// Of a spring of stiffness 1 along a side (x, y), over the area of the triangle: ½·(change of length)² for a strain.
-Constants constantsAlong(double x, double y) {
+SixConstants constantsAlong(double x, double y) {
     const double squared = x * x + y * y;
     const Eigen::Vector3d n(x * x / squared, y * y / squared, root2 * x * y / squared);
     const Eigen::Matrix3d c = squared * n * n.transpose();
     return {c(0, 0), c(1, 1), c(2, 2), root2 * c(0, 1), root2 * c(0, 2), root2 * c(1, 2)};
 }
 
-Constants constantsOf(const MembraneTriangle& t) {
+SixConstants constantsOf(const MembraneTriangle& t) {
     const material::MembraneStiffness& c = t.stiffness;
-    return t.area * Constants(c.c11, c.c22, 2 * c.c33, root2 * c.c12, 0, 0);
+    return t.area * SixConstants(c.c11, c.c22, 2 * c.c33, root2 * c.c12, 0, 0);
 }
 
-struct Sides {
+struct TriangleSides {
     std::array<Vec2, 3> along; ///< side i joins corners i and i + 1 [m]
     Eigen::Matrix<double, 6, 3> constants;
 };
 
-Sides sidesOf(const MembraneTriangle& t) {
+TriangleSides sidesOf(const MembraneTriangle& t) {
     const auto& [a, b, c, d] = t.inverseRest;
     const double determinant = a * d - b * c;
     const Vec2 first{d / determinant, -c / determinant}, second{-b / determinant, a / determinant}; // columns
-    Sides sides{{first, second - first, -second}, {}};
+    TriangleSides sides{{first, second - first, -second}, {}};
     for (int i = 0; i < 3; ++i) sides.constants.col(i) = constantsAlong(sides.along[i].x, sides.along[i].y);
     return sides;
 }
 
 /// Non-negative least squares of three unknowns: the best of the eight solutions in which some are 0.
-Eigen::Vector3d nonNegativeFit(const Eigen::Matrix<double, 6, 3>& columns, const Constants& wanted) {
+Eigen::Vector3d nonNegativeFit(const Eigen::Matrix<double, 6, 3>& columns, const SixConstants& wanted) {
     Eigen::Vector3d best = Eigen::Vector3d::Zero();
     double least = wanted.squaredNorm();
     for (int used = 1; used < 8; ++used) {
@@ -68,8 +68,8 @@ Eigen::Vector3d nonNegativeFit(const Eigen::Matrix<double, 6, 3>& columns, const
 }
 
 double residualOf(const MembraneTriangle& t, const std::array<Spring, 3>& springs) {
-    const Sides sides = sidesOf(t);
-    Constants left = constantsOf(t);
+    const TriangleSides sides = sidesOf(t);
+    SixConstants left = constantsOf(t);
     const double norm = left.norm();
     for (int i = 0; i < 3; ++i) left -= springs[i].stiffness * sides.constants.col(i);
     return left.norm() / norm;
@@ -78,7 +78,7 @@ double residualOf(const MembraneTriangle& t, const std::array<Spring, 3>& spring
 } // namespace
 
 std::array<Spring, 3> springsInsteadOf(const MembraneTriangle& triangle) {
-    const Sides sides = sidesOf(triangle);
+    const TriangleSides sides = sidesOf(triangle);
     const Eigen::Vector3d k = nonNegativeFit(sides.constants, constantsOf(triangle));
     std::array<Spring, 3> springs;
     for (int i = 0; i < 3; ++i)

@@ -15,7 +15,7 @@ namespace {
 /// Overlaps deeper than this are led out at the bounded speed and no faster [m].
 constexpr double deepOverlap = 0.001;
 /// Samples in a thread's part at least: where none asks the body, they take some microseconds.
-constexpr int leastShare = 1000;
+constexpr int leastAlone = 1000;
 
 /// Gershgorin rows of what the samples add to M⁻¹K [1/s²]. Particles that have no sample of their own are
 /// carried by others; their mass is not known here.
@@ -111,7 +111,7 @@ void BodyContact::project(Substep& substep) {
     // Particles come last: where samples between them have pushed them aside their own friction must still hold them.
     // The other way round a tight band creeps round its body.
     for (const int s : blends_) meet(s, pace, substep);
-    inParts(substep.team, static_cast<int>(alone_.size()), leastShare, [&](int begin, int end) {
+    inParts(substep.team, static_cast<int>(alone_.size()), leastAlone, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) meet(alone_[i], pace, substep);
     });
 }

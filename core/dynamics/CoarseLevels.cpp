@@ -25,10 +25,10 @@ Vec3 weighted(const std::array<double, 3>& weights, const std::array<int, 3>& pa
 }
 
 /// Of which a thread's part holds at least so many: it takes some microseconds.
-struct LeastShare {
+struct LeastLevelShare {
     int particles, centres, triangles;
 };
-constexpr LeastShare leastShare{1500, 400, 60}; ///< triangles in fours
+constexpr LeastLevelShare leastLevelShare{1500, 400, 60}; ///< triangles in fours
 
 constexpr int lanes = 4, corners = 3;
 
@@ -211,7 +211,7 @@ void CoarseLevels::compileFor(double h, double cap) {
 /// between them turns nothing: angular momentum is kept, and a tube on a smooth body does not begin to spin.
 void CoarseLevels::gather(std::span<const Vec3> positions, Team* team) {
     const auto gatherFrom = [team](const auto& from, Level& level) {
-        inParts(team, level.centres.count(), leastShare.centres, [&](int begin, int end) {
+        inParts(team, level.centres.count(), leastLevelShare.centres, [&](int begin, int end) {
             for (int c = begin; c < end; ++c) {
                 Vec3 sum;
                 for (const auto& [finer, share] : level.centres.of(c)) sum += share * from[finer];
@@ -262,7 +262,7 @@ void CoarseLevels::correct(std::span<Vec3> positions, Team* team) {
     gather(positions, team);
     for (std::size_t l = levels_.size(); l-- > 0;) {
         Level& level = levels_[l];
-        byColours(team, level.borders, leastShare.triangles, [&](int begin, int end) {
+        byColours(team, level.borders, leastLevelShare.triangles, [&](int begin, int end) {
             kernels_.level(level.places.data(), std::span(level.fours).subspan(begin, end - begin));
         });
         for (std::size_t c = 0; c < level.before.size(); ++c) level.before[c] = level.places[c] - level.before[c];
@@ -273,7 +273,7 @@ void CoarseLevels::correct(std::span<Vec3> positions, Team* team) {
 
 template <class Positions>
 void CoarseLevels::carryDown(const Level& level, Positions& finer, std::span<const double> inverseMass, Team* team) {
-    inParts(team, level.toFiner.count(), leastShare.particles, [&](int begin, int end) {
+    inParts(team, level.toFiner.count(), leastLevelShare.particles, [&](int begin, int end) {
         for (int p = begin; p < end; ++p) {
             if (inverseMass[p] == 0) continue;
             Vec3 move;

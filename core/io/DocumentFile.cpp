@@ -16,7 +16,7 @@ namespace {
 
 using pattern::Problem;
 
-constexpr std::uint64_t largestFile = 256 << 20; // [bytes]
+constexpr std::uint64_t largestDocument = 256 << 20; // [bytes]
 
 std::string extensionOf(const std::string& path) {
     std::string extension = std::filesystem::path(path).extension().string();
@@ -47,7 +47,7 @@ std::vector<Problem> checkAvatar(const document::Document& document, const std::
 } // namespace
 
 Result<Imported> readDocument(const std::string& path) {
-    return readRegularFile(path, largestFile).and_then([&](const std::string& text) {
+    return readRegularFile(path, largestDocument).and_then([&](const std::string& text) {
         return importedFrom(text, path);
     });
 }
@@ -61,7 +61,7 @@ bool Checked::hasErrors() const {
 }
 
 Result<Checked> checkFile(const std::string& path) {
-    const auto text = readRegularFile(path, largestFile);
+    const auto text = readRegularFile(path, largestDocument);
     if (!text) return tl::unexpected<Error>(text.error());
     auto imported = importedFrom(*text, path);
     if (!imported) return tl::unexpected<Error>(imported.error());

@@ -10,9 +10,9 @@ namespace toile::io {
 namespace {
 
 using simulation::FrameTopology;
-using Edge = std::pair<int, int>;
+using NodePair = std::pair<int, int>;
 
-Edge edgeOf(int a, int b) {
+NodePair edgeOf(int a, int b) {
     return std::minmax(a, b);
 }
 
@@ -33,10 +33,10 @@ std::vector<Vec3> drapeNormals(const FrameTopology& topology, std::span<const Ve
 
 std::vector<std::vector<int>> facesOf(const FrameTopology& topology, const FrameTopology::PieceRange& piece) {
     const auto triangles = trianglesOf(topology, piece);
-    std::set<Edge> lines;
+    std::set<NodePair> lines;
     for (const auto& [a, b] : topology.meshLines) lines.insert(edgeOf(a, b));
 
-    std::map<Edge, int> open; // an edge that is no line, and the face whose last corner lies opposite to it
+    std::map<NodePair, int> open; // an edge that is no line, and the face whose last corner lies opposite to it
     std::vector<std::vector<int>> faces;
     for (const auto& t : triangles) {
         bool joined = false;
@@ -51,7 +51,7 @@ std::vector<std::vector<int>> facesOf(const FrameTopology& topology, const Frame
         }
         if (joined) continue;
         for (int k = 0; k < 3; ++k)
-            if (const Edge edge = edgeOf(t[k], t[(k + 1) % 3]); !lines.contains(edge))
+            if (const NodePair edge = edgeOf(t[k], t[(k + 1) % 3]); !lines.contains(edge))
                 open.emplace(edge, static_cast<int>(faces.size()));
         faces.push_back({t[0], t[1], t[2]});
     }

@@ -21,7 +21,7 @@ using geometry::ArcShape;
 using geometry::CubicShape;
 using geometry::Curve;
 
-constexpr std::uint64_t largestFile = 64 << 20; // [bytes]
+constexpr std::uint64_t largestGarmentCode = 64 << 20; // [bytes]
 
 /// What all panels of a file share.
 struct Units {
@@ -313,7 +313,7 @@ Result<Imported> garmentCodeFromText(std::string_view text, const std::string& f
 }
 
 Result<Imported> readGarmentCode(const std::string& path) {
-    return readRegularFile(path, largestFile).and_then([&](const std::string& text) {
+    return readRegularFile(path, largestGarmentCode).and_then([&](const std::string& text) {
         return garmentCodeFromText(text, path);
     });
 }

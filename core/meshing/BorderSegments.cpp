@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/BorderSegments.h"
+#include "core/base/Index.h"
 
 #include <algorithm>
 
 namespace toile::meshing {
-namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-} // namespace
-
 void BorderSegments::assign(const BoundaryNodes& boundary, const IntegerLines& lines) {
     segments_.clear();
     for (const auto& ring : boundary.rings)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/BorderSpacing.h"
+#include "core/base/Index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +8,6 @@
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// A fixed point pair nearer than the spacing divides the cells beside it once only: the rings would cost
 /// more than the angles are worth.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/BoundaryNodes.h"
+#include "core/base/Index.h"
 
 #include "core/meshing/Crossings.h"
 
@@ -7,10 +8,6 @@
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 class Walk {
 public:

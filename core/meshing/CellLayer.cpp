@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/CellLayer.h"
+#include "core/base/Index.h"
 
 #include "core/meshing/Flags.h"
 
 #include <algorithm>
 
 namespace toile::meshing {
-namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-} // namespace
-
 int CellLayer::addToStrip(int node, bool free) {
     if (!isInStrip(node)) {
         stripIndex[at(node)] = static_cast<int>(stripNodes.size());

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/DisplayElements.h"
+#include "core/base/Index.h"
 
 #include <algorithm>
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Whether the triangle is cut from the rectangle: two rectangles share a side at most.
 bool isPartOf(const PieceMesh& mesh, const Rectangle& cell, const std::array<int, 3>& triangle) {

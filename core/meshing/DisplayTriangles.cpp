@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/DisplayTriangles.h"
+#include "core/base/Index.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 double angleAt(Vec2 corner, Vec2 a, Vec2 b) {
     return std::atan2(cross(a - corner, b - corner), dot(a - corner, b - corner));

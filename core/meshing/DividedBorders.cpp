@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/DividedBorders.h"
+#include "core/base/Index.h"
 
 #include "core/meshing/BorderSpacing.h"
 
@@ -7,10 +8,6 @@
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Doubling where parts of the border run too near one another ends at so many nodes of a piece, and so many
 /// times those it began with.

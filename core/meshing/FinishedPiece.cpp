@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/FinishedPiece.h"
+#include "core/base/Index.h"
 
 #include "core/base/Contracts.h"
 #include "core/meshing/Flags.h"
@@ -7,14 +8,6 @@
 #include <algorithm>
 
 namespace toile::meshing {
-namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-} // namespace
-
 void PieceFinisher::run(const PieceFrame& frame, const BoundaryNodes& boundary, const Lattice& lattice,
                         const NodePlaces& places, GridFill& fill, const CellLayer& layer, const Strip& strip,
                         PieceMesh& mesh) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/FixedPoints.h"
+#include "core/base/Index.h"
 
 #include "core/meshing/LineCrossings.h"
 
@@ -10,10 +11,6 @@ namespace {
 
 constexpr double samePlace = 1e-5; ///< fixed points nearer than this along an edge are one [m]
 constexpr int mostRounds = 64;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 const EdgeArc& arcOf(const std::vector<PieceBoundary>& boundaries, int piece, int loop, int edge) {
     return boundaries[at(piece)].loops[at(loop)].edges[at(edge)];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/FoldNodes.h"
+#include "core/base/Index.h"
 
 #include "core/meshing/Crossings.h"
 #include "core/meshing/GrainSpans.h"
@@ -10,10 +11,6 @@
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 tl::unexpected<Error> refuse(const PieceInput& piece, const FoldInput& fold, const std::string& sentence) {
     return fail(ErrorCode::invalidInput, sentence, {.object = nameOf(piece) + ", fold \"" + fold.label + "\""});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/GarmentMesher.h"
+#include "core/base/Index.h"
 
 #include "core/base/Team.h"
 #include "core/meshing/BorderSpacing.h"
@@ -13,10 +14,6 @@
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// The finest spacing wanted along a stretch of an edge.
 struct StretchSpacing {

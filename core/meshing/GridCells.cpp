@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which cells a piece fills, once its nodes are known.
+#include "core/base/Index.h"
 #include "core/meshing/GridFill.h"
 
 #include <algorithm>
@@ -7,14 +8,6 @@
 #include <cstdlib>
 
 namespace toile::meshing {
-namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-} // namespace
-
 GridFiller::Corners GridFiller::cornersOf(int column, int row, int a, int b) const {
     return {lattice_->nodeAt(column, row, a, b), lattice_->nodeAt(column, row, a + 1, b),
             lattice_->nodeAt(column, row, a + 1, b + 1), lattice_->nodeAt(column, row, a, b + 1)};

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/IntegerLines.h"
+#include "core/base/Index.h"
 
 #include <algorithm>
 
 namespace toile::meshing {
-namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-} // namespace
-
 void IntegerAxis::assign(const std::vector<std::int32_t>& lines) {
     lines_ = lines;
     const std::int64_t range = std::int64_t{lines_.back()} - lines_.front();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The nodes of a finished piece: where they are, and in which order.
+#include "core/base/Index.h"
 #include "core/meshing/FinishedPiece.h"
 #include "core/meshing/Flags.h"
 
@@ -7,10 +8,6 @@
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Numbers corners of main cells that are inner nodes, and writes where they are. To be copied: what is written to a
 /// mesh cannot change a copy of one's own, which the compiler knows.

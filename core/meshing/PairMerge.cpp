@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/PairMerge.h"
+#include "core/base/Index.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Angles within 45–140°: squares of the cosines of both.
 constexpr double squaredCosineOfLeast = 0.5, squaredCosineOfMost = 0.586824088833465;

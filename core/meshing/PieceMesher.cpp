@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/PieceMesher.h"
+#include "core/base/Index.h"
 
 #include "core/meshing/BorderSpacing.h"
 #include "core/meshing/FoldNodes.h"
@@ -11,10 +12,6 @@
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Whether a triangle's height is more than the rounding of coordinates.
 bool hasArea(const std::vector<Vec2>& places, const std::array<int, 3>& nodes, double leastHeight) {

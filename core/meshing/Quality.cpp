@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/Quality.h"
+#include "core/base/Index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +11,6 @@
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 double angleAt(Vec2 corner, Vec2 a, Vec2 b) {
     const double angle = std::atan2(cross(a - corner, b - corner), dot(a - corner, b - corner));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/Regions.h"
+#include "core/base/Index.h"
 
 #include "core/meshing/Flags.h"
 #include "core/meshing/PolygonOverlap.h"
@@ -12,10 +13,6 @@
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 constexpr double largestCellCount = 1e7;
 constexpr double borderMoveWarned = 0.5; ///< of ε_m [–]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/SeamDivision.h"
+#include "core/base/Index.h"
 
 #include "core/meshing/LineCrossings.h"
 
@@ -13,10 +14,6 @@ namespace toile::meshing {
 namespace {
 
 constexpr double samePlace = 1e-5; ///< ends of facing stretches nearer than this face one another [m]
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Disjoint sets of stretches that must carry equal counts.
 struct Groups {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/SewnNodes.h"
+#include "core/base/Index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +8,6 @@
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// By how much the ways between neighbouring pairs differ: 0 unless there is ease, or a curve's chords fall
 /// short.

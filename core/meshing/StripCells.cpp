@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a strip is mended with where moving its nodes does not help: rectangles given up, and nodes put in.
+#include "core/base/Index.h"
 #include "core/meshing/StripImprovement.h"
 
 #include <algorithm>
@@ -7,10 +8,6 @@
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 double squaredDistance(GridPoint a, GridPoint b) {
     const double x = static_cast<double>(a.x) - b.x, y = static_cast<double>(a.y) - b.y;

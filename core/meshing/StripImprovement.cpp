@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/StripImprovement.h"
+#include "core/base/Index.h"
 
 #include "core/meshing/FlatTriangles.h"
 
@@ -11,10 +12,6 @@
 
 namespace toile::meshing {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Angles are compared by their cotangents, which fall as they grow and need no more than products: there is none
 /// greater than this.

@@ -11,13 +11,8 @@
 namespace toile::pattern {
 namespace {
 
-constexpr double chordError = 5e-5; ///< contours are looked at as polygons so near [m]
-constexpr double samePoint = 1e-6;  ///< neighbours nearer than this leave no edge [m]
-constexpr double largest = 100;     ///< a garment's coordinates are smaller [m]
-
-double mm(double metres) {
-    return metres * 1000;
-}
+constexpr double shortestEdge = 1e-6; ///< neighbours nearer than this leave no edge [m]
+constexpr double largest = 100;       ///< a garment's coordinates are smaller [m]
 
 std::string loopPath(int loop) {
     return loop == 0 ? "" : fmt::format("holes[{}].", loop - 1);
@@ -60,14 +55,14 @@ bool checkNumbers(const Contour& contour, int loop, Problems& problems) {
             refuse(fmt::format("edges[{}].seamAllowance", i), "A seam allowance cannot be negative.");
     }
     for (std::size_t i = 0; sound && i < n; ++i)
-        if (geometry::distance(contour.vertices[i].position, contour.vertices[(i + 1) % n].position) < samePoint)
+        if (geometry::distance(contour.vertices[i].position, contour.vertices[(i + 1) % n].position) < shortestEdge)
             refuse(fmt::format("edges[{}]", i),
                    fmt::format("The edge \"{}\" has no length: its two points coincide.", contour.edges[i].id.value));
     return sound;
 }
 
 bool checkOrientation(const Contour& contour, int loop, Problems& problems) {
-    const double area = geometry::signedArea(flattened(contour, chordError));
+    const double area = geometry::signedArea(flattened(contour, checkedChordError));
     if (std::abs(area) < 1e-10) {
         problems.error(loopPath(loop) + "vertices", fmt::format("The {} encloses no area.", loopName(loop)));
         return false;
@@ -87,7 +82,7 @@ std::vector<BorderSegment> segmentsOf(const Piece& piece, std::vector<std::size_
         const Contour& contour = loopOf(piece, loop);
         std::size_t order = 0;
         for (std::size_t edge = 0; edge < contour.edges.size(); ++edge) {
-            const auto points = geometry::flattened(curveOf(contour, edge), chordError);
+            const auto points = geometry::flattened(curveOf(contour, edge), checkedChordError);
             for (std::size_t i = 1; i < points.size(); ++i)
                 if (points[i - 1] != points[i]) segments.push_back({points[i - 1], points[i], loop, edge, order++});
         }
@@ -117,7 +112,7 @@ bool checkCrossings(const Piece& piece, Problems& problems) {
 }
 
 bool checkNesting(const Piece& piece, Problems& problems) {
-    const Polygon outline = flattened(piece.outline, chordError);
+    const Polygon outline = flattened(piece.outline, checkedChordError);
     bool sound = true;
     for (std::size_t i = 0; i < piece.holes.size(); ++i) {
         const Vec2 point = piece.holes[i].vertices.front().position; // nothing crosses: one point speaks for all
@@ -127,7 +122,7 @@ bool checkNesting(const Piece& piece, Problems& problems) {
         };
         if (geometry::windingNumber(outline, point) == 0) refuse("The hole lies outside the piece.");
         for (std::size_t j = 0; j < piece.holes.size(); ++j)
-            if (j != i && geometry::windingNumber(flattened(piece.holes[j], chordError), point) != 0)
+            if (j != i && geometry::windingNumber(flattened(piece.holes[j], checkedChordError), point) != 0)
                 refuse("The hole lies inside another hole.");
     }
     return sound;
@@ -177,7 +172,7 @@ bool checkContours(const Piece& piece, Problems& problems) {
 }
 
 void checkRegions(const Piece& piece, Problems& problems) {
-    const std::vector<Area> cloth{{flattened(piece.outline, chordError), {}}};
+    const std::vector<Area> cloth{{flattened(piece.outline, checkedChordError), {}}};
     for (std::size_t i = 0; i < piece.regions.size(); ++i) {
         const Region& region = piece.regions[i];
         const std::string at = fmt::format("regions[{}].", i);

@@ -10,8 +10,7 @@
 namespace toile::pattern {
 namespace {
 
-constexpr double chordError = 5e-5; ///< of contours that folds are judged by [m]
-constexpr double atEnd = 1e-4;      ///< what a fold may touch the border by at its own ends [m]
+constexpr double atEnd = 1e-4; ///< what a fold may touch the border by at its own ends [m]
 
 std::vector<BorderSegment> segmentsThrough(const std::vector<Vec2>& points, bool closed) {
     std::vector<BorderSegment> segments;
@@ -45,9 +44,9 @@ bool checkNumbers(const Piece& piece, const Fold& fold, const std::string& at, P
 }
 
 bool isInside(const Piece& piece, Vec2 point) {
-    if (geometry::windingNumber(flattened(piece.outline, chordError), point) == 0) return false;
+    if (geometry::windingNumber(flattened(piece.outline, checkedChordError), point) == 0) return false;
     return std::ranges::none_of(piece.holes, [&](const Contour& hole) {
-        return geometry::windingNumber(flattened(hole, chordError), point) != 0;
+        return geometry::windingNumber(flattened(hole, checkedChordError), point) != 0;
     });
 }
 
@@ -59,7 +58,7 @@ void checkCourse(const Piece& piece, const Fold& fold, const std::vector<Vec2>& 
                                                    fold.name, 1000 * point.x, 1000 * point.y));
     };
     for (int loop = 0; loop <= static_cast<int>(piece.holes.size()); ++loop)
-        for (const BorderSegment& border : segmentsThrough(flattened(loopOf(piece, loop), chordError), true))
+        for (const BorderSegment& border : segmentsThrough(flattened(loopOf(piece, loop), checkedChordError), true))
             for (const BorderSegment& own : segmentsThrough(line, false))
                 if (const auto point = meeting(own, border); point &&
                                                              geometry::distance(*point, line.front()) > atEnd &&

@@ -28,6 +28,13 @@ private:
     std::string path_, object_;
 };
 
+constexpr double checkedChordError = 5e-5; ///< contours are looked at as polygons so near [m]
+
+/// A length as problems tell it [mm].
+[[nodiscard]] constexpr double mm(double metres) {
+    return metres * 1000;
+}
+
 /// Numbers, crossings, orientation and nesting of a piece's contours. Returns whether they can be worked with.
 bool checkContours(const Piece& piece, Problems& problems);
 /// Regions of a piece whose contours are sound.

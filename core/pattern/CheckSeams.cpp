@@ -11,9 +11,6 @@
 namespace toile::pattern {
 namespace {
 
-double mm(double metres) {
-    return metres * 1000;
-}
 const char* sideName(std::size_t side) {
     return side == 0 ? "sideA" : "sideB";
 }

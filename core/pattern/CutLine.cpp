@@ -7,11 +7,11 @@
 namespace toile::pattern {
 namespace {
 
-constexpr double chordError = 0.1e-3; // [m] scissors follow no better
-constexpr double farthest = 1000;     // [m] of what is cut from cloth; well within Clipper's integers
-constexpr double overlap = 1e-6;      // [m] of neighbours: Clipper may leave apart what only shares an edge
-constexpr double smallest = 1e-7;     // [m²]; less is what rounding has left between two strips
-constexpr double longestMitre = 2.5;  // of the wider allowance: where a right angle's is 1.4
+constexpr double scissorsError = 0.1e-3; // [m] scissors follow no better
+constexpr double farthest = 1000;        // [m] of what is cut from cloth; well within Clipper's integers
+constexpr double overlap = 1e-6;         // [m] of neighbours: Clipper may leave apart what only shares an edge
+constexpr double smallest = 1e-7;        // [m²]; less is what rounding has left between two strips
+constexpr double longestMitre = 2.5;     // of the wider allowance: where a right angle's is 1.4
 
 /// A stretch of the stitching line with the way outward to the cut line.
 struct Strip {
@@ -22,7 +22,7 @@ std::vector<Strip> stripsOf(const Contour& contour, double allowanceOfPiece) {
     std::vector<Strip> strips;
     for (std::size_t e = 0; e < contour.edges.size(); ++e) {
         const double allowance = contour.edges[e].seamAllowance.value_or(allowanceOfPiece);
-        const std::vector<Vec2> points = geometry::flattened(curveOf(contour, e), chordError);
+        const std::vector<Vec2> points = geometry::flattened(curveOf(contour, e), scissorsError);
         for (std::size_t i = 1; i < points.size(); ++i) {
             const Vec2 way = points[i] - points[i - 1];
             if (const double size = length(way); size > 0)

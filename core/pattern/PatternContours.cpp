@@ -16,8 +16,8 @@ using geometry::CubicShape;
 using geometry::Curve;
 using geometry::LineShape;
 
-constexpr double nearEnd = 1e-9;   ///< fractions this near to an end of an edge are the end [–]
-constexpr double samePoint = 1e-9; ///< points nearer than this coincide [m]
+constexpr double nearEnd = 1e-9;    ///< fractions this near to an end of an edge are the end [–]
+constexpr double coincident = 1e-9; ///< points nearer than this coincide [m]
 
 Result<LoopIndex> edgeIn(const Piece& piece, const EdgeId& edge) {
     if (const auto at = findEdge(piece, edge)) return *at;
@@ -86,7 +86,7 @@ Result<Contour> contourThrough(std::span<const Vec2> points, std::span<const Edg
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!geometry::isFinite(points[i]))
             return fail(ErrorCode::invalidInput, "A point must have finite coordinates.");
-        if (geometry::distance(points[i], points[(i + 1) % points.size()]) < samePoint)
+        if (geometry::distance(points[i], points[(i + 1) % points.size()]) < coincident)
             return fail(ErrorCode::invalidInput, "Two neighbouring points of a contour must not coincide.");
     }
     Contour contour;

@@ -10,7 +10,7 @@
 namespace toile::pattern {
 namespace {
 
-constexpr double samePoint = 1e-6; ///< notches nearer than this along the seam are one [m]
+constexpr double sameNotch = 1e-6; ///< notches nearer than this along the seam are one [m]
 
 template <class Items, class IdType>
 std::optional<std::size_t> indexOf(const Items& items, const IdType& id) {
@@ -42,9 +42,9 @@ std::optional<Side> measured(const Pattern& pattern, const std::vector<SeamPart>
                                        whole * (part.reversed ? part.to - notch.position : notch.position - part.from));
         side.length += *length;
     }
-    std::erase_if(side.notches, [&](double at) { return at < samePoint || at > side.length - samePoint; });
+    std::erase_if(side.notches, [&](double at) { return at < sameNotch || at > side.length - sameNotch; });
     std::ranges::sort(side.notches);
-    const auto [first, last] = std::ranges::unique(side.notches, [](double x, double y) { return y - x < samePoint; });
+    const auto [first, last] = std::ranges::unique(side.notches, [](double x, double y) { return y - x < sameNotch; });
     side.notches.erase(first, last);
     return side;
 }

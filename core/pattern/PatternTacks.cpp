@@ -10,7 +10,7 @@
 namespace toile::pattern {
 namespace {
 
-constexpr double chordError = 1e-4; ///< of outlines that points are judged by [m]
+constexpr double outlineError = 1e-4; ///< of outlines that points are judged by [m]
 
 Result<Pattern> changed(const Pattern& pattern, const TackId& id, const std::function<Result<void>(Tack&)>& change) {
     Pattern next = pattern;
@@ -43,10 +43,10 @@ bool isOnCloth(const Pattern& pattern, const Piece& piece, Vec2 point) {
     if (!geometry::isFinite(point)) return false;
     const Piece shape = resolved(pattern, piece);
     const auto inside = [&](const Contour& contour) {
-        return geometry::windingNumber(flattened(contour, chordError), point) != 0;
+        return geometry::windingNumber(flattened(contour, outlineError), point) != 0;
     };
     const auto atBorder = [&](const Contour& contour) {
-        return geometry::distanceToBorder(flattened(contour, chordError), point) <= chordError;
+        return geometry::distanceToBorder(flattened(contour, outlineError), point) <= outlineError;
     };
     if (!inside(shape.outline)) return atBorder(shape.outline);
     return std::ranges::none_of(shape.holes, [&](const Contour& hole) { return inside(hole) && !atBorder(hole); });

@@ -14,15 +14,15 @@
 namespace toile::simulation {
 namespace {
 
-struct Piece {
+struct PlacedPiece {
     const meshing::PieceMesh& mesh;
     std::span<const Vec3> positions;
     int layer;
 };
 
-std::vector<Piece> piecesOf(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh,
-                            std::span<const Vec3> nodes) {
-    std::vector<Piece> pieces;
+std::vector<PlacedPiece> piecesOf(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh,
+                                  std::span<const Vec3> nodes) {
+    std::vector<PlacedPiece> pieces;
     std::size_t first = 0;
     for (std::size_t i = 0; i < mesh.pieces.size(); ++i) {
         const std::size_t count = mesh.pieces[i].nodes.size();
@@ -33,9 +33,9 @@ std::vector<Piece> piecesOf(const pattern::Pattern& pattern, const meshing::Garm
 }
 
 /// The right sides of all pieces below a layer; none if there are none.
-std::optional<collision::BodySurface> surfaceBelow(int layer, const std::vector<Piece>& pieces) {
+std::optional<collision::BodySurface> surfaceBelow(int layer, const std::vector<PlacedPiece>& pieces) {
     geometry::TriangleMesh below;
-    for (const Piece& piece : pieces) {
+    for (const PlacedPiece& piece : pieces) {
         if (piece.layer >= layer) continue;
         const int first = static_cast<int>(below.vertices.size());
         below.vertices.insert(below.vertices.end(), piece.positions.begin(), piece.positions.end());
@@ -47,7 +47,7 @@ std::optional<collision::BodySurface> surfaceBelow(int layer, const std::vector<
 }
 
 /// Normal of the piece at each of its nodes, on the right side; not of unit length.
-std::vector<Vec3> normalsOf(const Piece& piece) {
+std::vector<Vec3> normalsOf(const PlacedPiece& piece) {
     std::vector<Vec3> normals(piece.positions.size());
     for (const auto& corners : piece.mesh.display) {
         const auto& x = piece.positions;
@@ -75,7 +75,7 @@ std::optional<double> heightOver(const collision::BodySurface& surface, const Ve
 }
 
 /// Where the piece has nodes in common with a surface: there cloth goes over into other cloth, and may fold either way.
-std::vector<Vec3> whereSewnTo(const collision::BodySurface& surface, const Piece& piece) {
+std::vector<Vec3> whereSewnTo(const collision::BodySurface& surface, const PlacedPiece& piece) {
     const auto isLess = [](const Vec3& a, const Vec3& b) {
         return std::tuple(a.x, a.y, a.z) < std::tuple(b.x, b.y, b.z);
     };
@@ -85,7 +85,7 @@ std::vector<Vec3> whereSewnTo(const collision::BodySurface& surface, const Piece
     return common;
 }
 
-bool isOutside(const Piece& piece, const collision::BodySurface& below) {
+bool isOutside(const PlacedPiece& piece, const collision::BodySurface& below) {
     constexpr double clearance = 0.005, reach = 0.06; // [m]
     const std::vector<Vec3> normals = normalsOf(piece);
     for (std::size_t node = 0; node < normals.size(); ++node) {
@@ -96,7 +96,7 @@ bool isOutside(const Piece& piece, const collision::BodySurface& below) {
 }
 
 /// As it was if 10 cm do not help.
-pattern::Placement movedOutside(const Piece& piece, const pattern::Placement& placement,
+pattern::Placement movedOutside(const PlacedPiece& piece, const pattern::Placement& placement,
                                 const collision::BodySurface& below) {
     constexpr double step = 0.0025, farthest = 0.1; // [m]
     for (double way = 0; way <= farthest; way += step) {
@@ -122,7 +122,7 @@ pattern::Pattern layersApart(const pattern::Pattern& pattern, const meshing::Gar
     if (layers.size() < 2) return apart;
     for (const int layer : layers) { // from the inside out: each lies over those that have been moved
         const std::vector<Vec3> nodes = placedNodes(apart, mesh);
-        const std::vector<Piece> pieces = piecesOf(apart, mesh, nodes);
+        const std::vector<PlacedPiece> pieces = piecesOf(apart, mesh, nodes);
         const auto below = surfaceBelow(layer, pieces);
         if (!below) continue;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -137,12 +137,12 @@ pattern::Pattern layersApart(const pattern::Pattern& pattern, const meshing::Gar
 
 int nodesInWrongOrder(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh, std::span<const Vec3> nodes) {
     constexpr double reach = 0.02; // [m]
-    const std::vector<Piece> pieces = piecesOf(pattern, mesh, nodes);
+    const std::vector<PlacedPiece> pieces = piecesOf(pattern, mesh, nodes);
     int wrong = 0;
     for (const int layer : layersOf(pattern)) {
         const auto below = surfaceBelow(layer, pieces);
         if (!below) continue;
-        for (const Piece& piece : pieces) {
+        for (const PlacedPiece& piece : pieces) {
             if (piece.layer != layer) continue;
             const std::vector<Vec3> normals = normalsOf(piece), seams = whereSewnTo(*below, piece);
             for (std::size_t node = 0; node < normals.size(); ++node) {

@@ -17,7 +17,6 @@ namespace toile::simulation {
 namespace {
 
 constexpr double longEnough = 0.5; ///< that slow, for a garment to be at rest [s]
-constexpr DressingSettings dressing;
 /// Of the methods that adapt their step: RMS error of a part [m].
 constexpr double positionTolerance = 1e-4;
 /// Frame steps of backward Euler before a method takes over from XPBD, whose soft state would ring at the true

@@ -55,6 +55,7 @@ struct DressingSettings {
     double levelsTime = 4;       ///< of draping by coarse levels; cloth that has not come to rest goes on without [s]
     int sewingSubsteps = 20;     ///< of a frame step at most, while seams close: yielding cloth sews well
 };
+inline constexpr DressingSettings dressing;
 
 /// When a seam becomes one row of particles (docs/physics/seams.md).
 struct MergeRule {

@@ -10,7 +10,6 @@ namespace {
 
 constexpr MergeRule mergeRule;
 constexpr TackSettings tackSettings;
-constexpr DressingSettings dressing;
 /// A seam that is still open this long after its ramp ended is given up, so that the next order may begin [s].
 constexpr double patience = 2.0;
 

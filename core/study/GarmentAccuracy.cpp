@@ -15,7 +15,6 @@ namespace toile::study {
 namespace {
 
 using dynamics::Method;
-using simulation::Scene;
 
 /// Student's t for 19 of 20 on both sides, of 1 to 15 degrees of freedom.
 constexpr std::array studentT{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306,
@@ -40,7 +39,7 @@ double mainSpacing(const pattern::Pattern& pattern) {
 /// All goes of a study: run now, or kept from before.
 struct Goes {
     const std::string& name;
-    const Scene& scene;
+    const simulation::Scene& scene;
     std::stop_token stop;
     const std::function<void(const std::string&)>& begin; ///< a go, by its name
     const GoKeeper& keeper;
@@ -201,7 +200,7 @@ void judge(GarmentRun& run, const GarmentReference& reference) {
     run.score = count > 0 ? std::sqrt(squares / count) : 0;
 }
 
-Result<GarmentAccuracy> studyGarment(const std::string& name, const Scene& scene, const GarmentPlan& plan,
+Result<GarmentAccuracy> studyGarment(const std::string& name, const simulation::Scene& scene, const GarmentPlan& plan,
                                      std::stop_token stop, const Progress& progress, const GoKeeper& keeper) {
     const double all = static_cast<double>(plan.setups.size()) * plan.repetitions + plan.referenceRuns;
     const std::function<void(const std::string&)> begin = [&, done = 0](const std::string& what) mutable {

@@ -14,8 +14,6 @@
 namespace toile::study {
 namespace {
 
-using simulation::Scene;
-
 /// Cloth without seams starts somewhere else instead: so far to the side for twice their time [m].
 constexpr double perSeamTime = 0.1;
 
@@ -25,8 +23,8 @@ pattern::Pattern shifted(pattern::Pattern pattern, double sideways) {
     });
 }
 
-Scene sceneOf(const Scene& scene, const GarmentSetup& setup, double seamTime) {
-    Scene changed = scene;
+simulation::Scene sceneOf(const simulation::Scene& scene, const GarmentSetup& setup, double seamTime) {
+    simulation::Scene changed = scene;
     changed.pattern =
         setup.regions ? coarser(scene.pattern, setup.factor) : uniformCoarser(scene.pattern, setup.factor);
     changed.settings.seamTime *= seamTime;
@@ -119,7 +117,7 @@ GarmentDrape lookedAt(const simulation::Simulation& simulation, const simulation
     return drape;
 }
 
-Result<GarmentGo> goWithin(Budget& budget, const Scene& scene, const GarmentSetup& setup, double seamTime) {
+Result<GarmentGo> goWithin(Budget& budget, const simulation::Scene& scene, const GarmentSetup& setup, double seamTime) {
     const Progress watch = budget.watch();
     auto simulation = simulation::Simulation::create(sceneOf(scene, setup, seamTime));
     if (!simulation) return tl::unexpected(simulation.error());
@@ -177,7 +175,7 @@ std::string_view layoutOf(const GarmentSetup& setup) {
     return setup.regions ? "as drawn" : "uniform";
 }
 
-Result<GarmentGo> drapedBy(const Scene& scene, const GarmentSetup& setup, double seamTime, double seconds,
+Result<GarmentGo> drapedBy(const simulation::Scene& scene, const GarmentSetup& setup, double seamTime, double seconds,
                            std::stop_token stop) {
     Budget budget(seconds, stop);
     auto go = goWithin(budget, scene, setup, seamTime);

@@ -96,7 +96,7 @@ std::optional<PartDeformation> partFrom(const Json& json) {
 }
 
 std::optional<LayoutKind> kindNamed(std::string_view name) {
-    const auto found = std::ranges::find(layoutKinds, name, nameOf);
+    const auto found = std::ranges::find(layoutKinds, name, [](LayoutKind kind) { return nameOf(kind); });
     return found == layoutKinds.end() ? std::nullopt : std::optional(*found);
 }
 

@@ -12,7 +12,6 @@ namespace toile::study {
 namespace {
 
 using pattern::Pattern;
-using simulation::Scene;
 
 double leastSpacing(const Pattern& pattern) {
     double least = std::numeric_limits<double>::infinity();
@@ -20,7 +19,7 @@ double leastSpacing(const Pattern& pattern) {
     return least;
 }
 
-Scene withPattern(Scene scene, Pattern pattern) {
+simulation::Scene withPattern(simulation::Scene scene, Pattern pattern) {
     scene.pattern = std::move(pattern);
     return scene;
 }
@@ -76,11 +75,11 @@ std::optional<double> finestSpacing(const Pattern& pattern) {
     return finest;
 }
 
-Layout uniformLayout(const Scene& scene, LayoutKind kind, double spacing) {
+Layout uniformLayout(const simulation::Scene& scene, LayoutKind kind, double spacing) {
     return {kind, withPattern(scene, uniformCoarser(scene.pattern, spacing / leastSpacing(scene.pattern))), spacing};
 }
 
-Layout layoutOf(const Scene& scene, LayoutKind kind) {
+Layout layoutOf(const simulation::Scene& scene, LayoutKind kind) {
     const auto finest = finestSpacing(scene.pattern);
     expects(finest && kind != LayoutKind::asManyPoints, "a layout that regions alone decide");
     const double main = leastSpacing(scene.pattern);
@@ -96,7 +95,7 @@ Layout layoutOf(const Scene& scene, LayoutKind kind) {
     return {kind, scene, *finest};
 }
 
-Layout asManyPoints(const Scene& scene, int coarse, int regions) {
+Layout asManyPoints(const simulation::Scene& scene, int coarse, int regions) {
     const double spacing = leastSpacing(scene.pattern) * std::sqrt(static_cast<double>(coarse) / regions);
     return uniformLayout(scene, LayoutKind::asManyPoints, spacing);
 }

@@ -8,8 +8,6 @@
 namespace toile::study {
 namespace {
 
-using simulation::Scene;
-
 enum class Kept { all, time }; ///< of a go: its shape is wanted once
 
 /// All goes of a study: run now, or kept from before.
@@ -51,7 +49,7 @@ const LayoutResult* RegionsStudy::find(LayoutKind kind) const {
     return found == layouts.end() ? nullptr : &*found;
 }
 
-Result<RegionsStudy> studyRegions(const Scene& scene, const RegionsSettings& settings, std::stop_token stop,
+Result<RegionsStudy> studyRegions(const simulation::Scene& scene, const RegionsSettings& settings, std::stop_token stop,
                                   const Progress& progress, const LayoutKeeper& keeper) {
     const auto finest = finestSpacing(scene.pattern);
     if (!finest)

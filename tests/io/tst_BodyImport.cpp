@@ -266,7 +266,7 @@ void tst_BodyImport::damagedFilesAreRefused_data() {
     row("OBJ with infinity", "a.obj", "v 1e999 0 0\nv inf 0 0\n" + obj + "f 1 2 3\n");
     row("OBJ of noise", "a.obj", std::string("\x8f\x01\xfe lorem \0 ipsum", 18));
     row("STL cut off", "a.stl", stl.substr(0, 40));
-    row("STL of 4 billion triangles", "a.stl", std::string(80, 'x') + "\xff\xff\xff\xff" + std::string(50, 'y'));
+    row("STL of 4 billion triangles", "a.stl", std::string(80, 'x').append(4, '\xff').append(50, 'y'));
     row("glTF that is no JSON", "a.gltf", "{\"asset\": ");
     row("COLLADA cut off", "a.dae", "<?xml version=\"1.0\"?><COLLADA><library_geometries><geometry id=\"a\">");
     row("FBX of noise", "a.fbx", "Kaydara FBX Binary  \0\x1a\0 and nothing more");

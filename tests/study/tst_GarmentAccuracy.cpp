@@ -168,7 +168,7 @@ void tst_GarmentAccuracy::aSheetIsStudiedFromEndToEnd() {
     scene.settings.damping = 5; // it does not swing for long
     study::GarmentPlan plan{.setups = {{true, 1.4, Method::xpbd}, {true, 1, Method::xpbd}}};
     plan.referenceRuns = 2;
-    const auto study = study::studyGarment("sheet", scene, plan);
+    auto study = study::studyGarment("sheet", scene, plan);
     QVERIFY2(study, study ? "" : study.error().text.c_str());
     QCOMPARE(static_cast<int>(study->runs.size()), 4); // at rest and finished
     for (const GarmentRun& run : study->runs) {
@@ -179,6 +179,8 @@ void tst_GarmentAccuracy::aSheetIsStudiedFromEndToEnd() {
     QVERIFY(study->runs[0].score > study->runs[2].score); // the coarser mesh is farther off
     QVERIFY(!study->reference.mean[0].value);             // a sheet has no hem
     QVERIFY(says(garmentText(*study, 0.01, here), "There is no body with limbs."));
+    // Which is cheapest must not depend on what else the machine does: the times are ours.
+    for (GarmentRun& run : study->runs) run.time.least = run.drape.particles;
     QVERIFY(says(suggestion(*study, 0.05), "at 70 mm")); // the coarsest that is near enough, of what was run
     for (const Json& record : recordsOf(*study, here)) {
         QVERIFY(parseJson(toLine(record)));

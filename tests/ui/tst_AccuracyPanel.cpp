@@ -10,7 +10,6 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
 #include <QSemaphore>
@@ -213,12 +212,9 @@ void tst_AccuracyPanel::cancelAnswersAtOnce() {
     f.mayEnd.acquire(1000); // the run under way does not look at its stop
     QTest::mouseClick(f.find<QPushButton>("accuracyStart"), Qt::LeftButton);
     QVERIFY(QTest::qWaitFor([&] { return f.begun == 1; }));
-    QElapsedTimer clock;
-    clock.start();
-    QTest::mouseClick(f.find<QPushButton>("accuracyCancel"), Qt::LeftButton);
+    QTest::mouseClick(f.find<QPushButton>("accuracyCancel"), Qt::LeftButton); // the run is held until mayEnd.release
     QVERIFY(!f.panel->study().isRunning());
     QVERIFY(f.find<QPushButton>("accuracyStart")->isEnabled());
-    QVERIFY2(clock.elapsed() < 100, qPrintable(QString::number(clock.elapsed())));
 
     QTest::mouseClick(f.find<QPushButton>("accuracyStart"), Qt::LeftButton); // another, while the first still ends
     f.mayEnd.release(2);

@@ -6,7 +6,7 @@
 namespace toile::study::lean {
 namespace {
 
-Json sceneOf(const std::string& feature, const std::string& variant, const SceneHashes& hashes) {
+Json sceneRecord(const std::string& feature, const std::string& variant, const SceneHashes& hashes) {
     Json json;
     json.set("name", feature).set("variant", variant);
     return json.set("hash", hashes.scene).set("start", hashes.start);
@@ -29,7 +29,7 @@ Json recordOf(const FeatureResult& result, const Row& row) {
     building.set("blocks", taken.building.blocks).set("bytes", taken.building.bytes);
     cost.set("cpuSecondsMinimum", taken.frame.least).set("cpuSecondsMedian", taken.frame.median);
     if (taken.instructions) cost.set("instructions", *taken.instructions);
-    record.set("scene", sceneOf(result.name, row.what, taken.hashes))
+    record.set("scene", sceneRecord(result.name, row.what, taken.hashes))
         .set("method", methodOf(row.role, taken.frames, taken.instructions.has_value()));
     record.set("result", outcome)
         .set("cost", cost)
@@ -95,7 +95,7 @@ std::vector<Json> keysOf(const Feature& feature, const LeanSettings& settings) {
         const auto hashes = hashesOf(variant.scene);
         if (!hashes) return {};
         Json key;
-        keys.push_back(key.set("scene", sceneOf(feature.name, variant.what, *hashes))
+        keys.push_back(key.set("scene", sceneRecord(feature.name, variant.what, *hashes))
                            .set("method", methodOf(variant.role, settings.frames, settings.counted)));
     }
     return keys;

@@ -14,7 +14,6 @@
 namespace toile::study::stability {
 namespace {
 
-using simulation::Scene;
 using simulation::Simulation;
 
 constexpr double degree = std::numbers::pi / 180;
@@ -22,8 +21,8 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr double clothSpeed = 10;
 
 /// A strip of cloth of 20 mm mesh, its corner and its sides there.
-Scene stripBeside(const body::Body& body, double width, double height, const Transform& place) {
-    Scene scene;
+simulation::Scene stripBeside(const body::Body& body, double width, double height, const Transform& place) {
+    simulation::Scene scene;
     scene.pattern.fabrics.push_back(validation::plainCloth());
     pattern::Piece piece = validation::polygonPiece("strip", {{0, 0}, {width, 0}, {width, height}, {0, height}}, 0.02);
     piece.placement = pattern::Placement{};
@@ -43,7 +42,7 @@ struct Moved {
 };
 
 /// Lets the cloth fall into its place for so many frame steps; then the arms are turned.
-Moved armsTurned(const Scene& scene, int before, double angle, double seconds) {
+Moved armsTurned(const simulation::Scene& scene, int before, double angle, double seconds) {
     Moved out;
     const double start = threadSeconds();
     const auto motion = body::armLift(**scene.body, angle, seconds);
@@ -67,7 +66,7 @@ Moved armsTurned(const Scene& scene, int before, double angle, double seconds) {
 }
 
 /// A towel over the left forearm, half of it in front and half behind.
-Scene towelOverArm(const body::Body& body) {
+simulation::Scene towelOverArm(const body::Body& body) {
     const Vec3 &joint = axisOf(body, body::Limb::leftArm)->points.front(), &wrist = body.landmarks.wristLeft;
     const Vec3 along = normalized(wrist - joint), across{0, 0, 1}, up = cross(across, along);
     const Vec3 corner = joint + (wrist - joint) * 0.55 + up * 0.07 - across * 0.2;
@@ -125,7 +124,7 @@ Findings s37ClothUnderArm(const Effort&) {
     const Vec3& joint = axisOf(body, body::Limb::leftArm)->points.front();
     const Transform place{
         .axisX = {0, 0, -1}, .axisY = {0, 1, 0}, .axisZ = {1, 0, 0}, .origin = {joint.x + 0.03, joint.y - 0.32, 0.08}};
-    Scene scene = stripBeside(body, 0.16, 0.2, place);
+    simulation::Scene scene = stripBeside(body, 0.16, 0.2, place);
     scene.settings.gravity = {};
     Moved run = armsTurned(scene, 1, -50 * degree, 0.5);
     const simulation::ContactSummary& contact = run.report.contact;

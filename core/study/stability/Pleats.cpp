@@ -12,7 +12,6 @@
 namespace toile::study::stability {
 namespace {
 
-using simulation::Scene;
 using simulation::Simulation;
 
 constexpr double width = 0.28, height = 0.12; // of the strip, flat [m]
@@ -30,8 +29,8 @@ pattern::Fold foldAt(int number, double x, double angle) {
 
 /// A weightless strip with knife pleats: each is folded back at one line and forward again at the next, and the first
 /// line is tacked above to the place it then lies on.
-Scene pleatedStrip(int pleats, double spacing) {
-    Scene scene;
+simulation::Scene pleatedStrip(int pleats, double spacing) {
+    simulation::Scene scene;
     scene.settings.gravity = {};
     scene.settings.selfContact = true;
     scene.pattern.fabrics.push_back(validation::plainCloth());

@@ -15,7 +15,6 @@
 namespace toile::study::stability {
 namespace {
 
-using simulation::Scene;
 using simulation::Simulation;
 using validation::polygonPiece;
 using validation::seamBetween;
@@ -34,7 +33,7 @@ struct Sewn {
     [[nodiscard]] bool merged() const { return simulation && simulation->allSeamsMerged(); }
 };
 
-Sewn sewn(const Scene& scene, int frames, const std::function<void(const Simulation&)>& look = {}) {
+Sewn sewn(const simulation::Scene& scene, int frames, const std::function<void(const Simulation&)>& look = {}) {
     Sewn out;
     const double start = threadSeconds();
     auto simulation = Simulation::create(scene);
@@ -60,8 +59,8 @@ Row closes(const std::string& number, const std::string& what, const Sewn& run) 
 }
 
 /// Two pieces of 0.2 m height whose facing sides are so long.
-Scene unequalSides(double longSide, double shortSide) {
-    Scene scene = validation::twoSquares();
+simulation::Scene unequalSides(double longSide, double shortSide) {
+    simulation::Scene scene = validation::twoSquares();
     const auto place = [&](int index, const char* id, double side) {
         pattern::Piece piece = polygonPiece(id, {{0, 0}, {0.1, 0}, {0.1, side}, {0, side}}, 0.01);
         piece.placement = scene.pattern.pieces[index]->placement;
@@ -80,7 +79,7 @@ Findings s15UnequalSides(const Effort&) {
 }
 
 Findings s31Gathers(const Effort& effort) {
-    Scene scene = unequalSides(0.4, 0.1);
+    simulation::Scene scene = unequalSides(0.4, 0.1);
     scene.pattern.seams[0].sections = {{.gatherRatio = 4}};
     const Sewn run = sewn(scene, effort.quick ? 120 : 240);
     Findings found{{closes("S31", "gathers 4 : 1 over 0.1 m", run)}, {}};
@@ -104,7 +103,7 @@ Findings s31Gathers(const Effort& effort) {
 
 Findings s16FarOrBlocked(const Effort& effort) {
     Findings found;
-    Scene far = validation::twoSquares();
+    simulation::Scene far = validation::twoSquares();
     pattern::Piece piece = *far.pattern.pieces[1];
     piece.placement->transform.origin.x = 10;
     far.pattern.pieces[1] = Shared<pattern::Piece>(std::move(piece));
@@ -119,7 +118,7 @@ Findings s16FarOrBlocked(const Effort& effort) {
         row = tested(row.number, row.what, false, "It may close at 5 m/s.", run.metrics);
     found.rows.push_back(std::move(row));
 
-    Scene blocked = validation::twoSquares(0.02);
+    simulation::Scene blocked = validation::twoSquares(0.02);
     body::Body wall;
     wall.name = "wall";
     wall.mesh = geometry::box({-0.05, 0.5, -0.5}, {0.05, 1.7, 0.5});
@@ -141,8 +140,8 @@ Findings s16FarOrBlocked(const Effort& effort) {
 }
 
 /// Four squares of 0.1 m round a point, 20 mm apart.
-Scene fourSquares() {
-    Scene scene;
+simulation::Scene fourSquares() {
+    simulation::Scene scene;
     scene.settings.gravity = {};
     scene.pattern.fabrics.push_back(validation::plainCloth());
     for (int k = 0; k < 4; ++k) {
@@ -167,7 +166,7 @@ Findings s17Loops(const Effort&) {
                      particles == 121, "The middle is not one particle.", run.metrics);
     }
     found.rows.push_back(std::move(row));
-    Scene band; // both ends walked the same way: a half turn
+    simulation::Scene band; // both ends walked the same way: a half turn
     band.pattern.fabrics.push_back(validation::plainCloth());
     band.pattern.pieces.push_back(polygonPiece("band", {{0, 0}, {0.4, 0}, {0.4, 0.05}, {0, 0.05}}, 0.02));
     pattern::Seam seam = seamBetween("turned", "band", "e1", "band", "e3");
@@ -187,7 +186,7 @@ Findings s17Loops(const Effort&) {
 Findings s29Swimsuit(const Effort& effort) {
     constexpr double bodyRadius = 0.12;
     const double girth = 2 * std::numbers::pi * bodyRadius, width = 0.85 * girth;
-    Scene scene;
+    simulation::Scene scene;
     scene.settings.gravity = {}; // a cylinder has no waist to hold it while it is shaken down without friction
     material::Fabric jersey = validation::plainCloth();
     jersey.warpStiffness = jersey.weftStiffness = 200;
@@ -218,7 +217,7 @@ Findings s29Swimsuit(const Effort& effort) {
 
 /// A skirt of 0.3 m that hangs by a strap of 5 mm, sewn to the middle of its upper side.
 Findings s34Strap(const Effort& effort) {
-    Scene scene;
+    simulation::Scene scene;
     scene.pattern.fabrics.push_back(validation::plainCloth());
     pattern::Piece skirt = polygonPiece("skirt", {{0, 0}, {0.3, 0}, {0.3, 0.3}, {0, 0.3}}, 0.02);
     skirt.placement = pattern::Placement{};
@@ -251,7 +250,7 @@ Findings s34Strap(const Effort& effort) {
 }
 
 Findings s33HeavyAndLight(const Effort& effort) {
-    Scene scene = validation::twoSquares();
+    simulation::Scene scene = validation::twoSquares();
     material::Fabric chiffon = validation::plainCloth(), denim = validation::plainCloth();
     chiffon.id = material::FabricId("chiffon");
     chiffon.arealDensity = 0.03;

@@ -13,7 +13,6 @@
 namespace toile::study::stability {
 namespace {
 
-using simulation::Scene;
 using simulation::Simulation;
 using validation::polygonPiece;
 using validation::seamBetween;
@@ -36,7 +35,8 @@ body::Body cone() {
 
 /// Adds a skirt whose upper edge is as long as the girth at this radius; its panels start so far before and behind the
 /// axis [m].
-void addSkirt(Scene& scene, const std::string& name, double radius, double apart, double spacing, int layer) {
+void addSkirt(simulation::Scene& scene, const std::string& name, double radius, double apart, double spacing,
+              int layer) {
     const double top = std::numbers::pi * radius, hem = std::numbers::pi * (radius + 0.3 * skirtLength);
     for (const bool front : {true, false}) {
         const std::string id = name + (front ? " front" : " back");
@@ -52,8 +52,8 @@ void addSkirt(Scene& scene, const std::string& name, double radius, double apart
     scene.pattern.seams.push_back(seamBetween(name + " right", name + " front", "e3", name + " back", "e1"));
 }
 
-Scene coneScene() {
-    Scene scene;
+simulation::Scene coneScene() {
+    simulation::Scene scene;
     scene.pattern.fabrics.push_back(validation::plainCloth());
     scene.body = Shared<body::Body>(cone());
     scene.settings.bodyFriction = 0.01; // it slides to where its girth fits, but does not turn for ever
@@ -61,15 +61,15 @@ Scene coneScene() {
 }
 
 /// A scene sewn until it rests, or for a time.
-struct Sewn {
+struct SewnSkirts {
     std::optional<Simulation> simulation;
     simulation::SewReport report;
     Metrics metrics;
     std::string why; ///< it is not closed, not outside the body, or not at rest where no time was set
 };
 
-Sewn sewn(const Scene& scene, const simulation::SewSettings& settings = {}) {
-    Sewn out;
+SewnSkirts sewn(const simulation::Scene& scene, const simulation::SewSettings& settings = {}) {
+    SewnSkirts out;
     const double start = threadSeconds();
     auto simulation = Simulation::create(scene);
     if (!simulation) {
@@ -94,11 +94,11 @@ Sewn sewn(const Scene& scene, const simulation::SewSettings& settings = {}) {
 
 Findings s30Petticoat(const Effort& effort) {
     const double spacing = effort.quick ? 0.03 : 0.02;
-    Scene scene = coneScene();
+    simulation::Scene scene = coneScene();
     scene.settings.selfContact = true;
     for (int layer = 0; layer < 3; ++layer)
         addSkirt(scene, fmt::format("skirt {}", layer + 1), 0.11 + 0.003 * layer, 0.16 + 0.03 * layer, spacing, layer);
-    const Sewn run = sewn(scene, {.seconds = 4}); // folded layers tremble for longer
+    const SewnSkirts run = sewn(scene, {.seconds = 4}); // folded layers tremble for longer
     const simulation::ContactSummary& contact = run.report.contact;
     const std::string why = !run.why.empty()                ? run.why
                             : contact.selfIntersections > 0 ? "The skirts cross."
@@ -130,9 +130,9 @@ Findings s38FinerAndFiner(const Effort& effort) {
     Findings found;
     std::vector<double> waists, hems;
     for (const double spacing : {0.03, 0.01, effort.quick ? 0.006 : 0.003}) {
-        Scene scene = coneScene();
+        simulation::Scene scene = coneScene();
         addSkirt(scene, "skirt", 0.11, 0.16, spacing, 0);
-        const Sewn run = sewn(scene);
+        const SewnSkirts run = sewn(scene);
         std::string what = fmt::format("skirt on a mesh of {:.3g} mm", 1000 * spacing);
         if (run.simulation) {
             waists.push_back(heightOf(*run.simulation, 2));
