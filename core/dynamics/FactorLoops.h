@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#pragma once
-
-// The loops of a solution with a factor. Compiled once for each kind of processor by the files that include it.
+// The loops of a solution with a factor. Compiled once for each kind of processor by Kernels.cpp and KernelsAvx2.cpp.
+#ifdef TOILE_FACTOR_LOOPS
+#error "Two kinds of processor in one compilation would be the same one."
+#endif
+#define TOILE_FACTOR_LOOPS
 
 #include "core/dynamics/FactorKernels.h"
-
-#include <cstdint>
-
-#pragma GCC diagnostic ignored "-Wpsabi" // all of it is inlined
+#include "core/dynamics/Lanes.h"
 
 namespace toile::dynamics {
 namespace {
 
-constexpr int laneCount = 4;
-using Lanes = double __attribute__((vector_size(32)));
-using LanesAnywhere [[gnu::may_alias]] = double __attribute__((vector_size(32), aligned(8)));
-using FloatsAnywhere [[gnu::may_alias]] = float __attribute__((vector_size(16), aligned(4)));
-
-[[gnu::always_inline]] inline LanesAnywhere& lanesAt(double* x) {
-    return *reinterpret_cast<LanesAnywhere*>(x);
+TOILE_LANES FourAnywhere& lanesAt(double* x) {
+    return *reinterpret_cast<FourAnywhere*>(x);
 }
-[[gnu::always_inline]] inline Lanes lanesAt(const float* values) {
-    return __builtin_convertvector(*reinterpret_cast<const FloatsAnywhere*>(values), Lanes);
+TOILE_LANES Four lanesAt(const float* values) {
+    return __builtin_convertvector(*reinterpret_cast<const FourFloatsAnywhere*>(values), Four);
 }
 
 /// `Width` columns from `column` on: solved for among themselves, and taken off the rows below.
@@ -33,14 +27,11 @@ void forwardColumns(const FactorPanel& panel, int column, double* x) {
         x[column + p] /= values[p * stride + column + p];
         for (int q = p + 1; q < Width; ++q) x[column + q] -= values[p * stride + column + q] * x[column + p];
     }
-    Lanes solved[Width];
-    for (int p = 0; p < Width; ++p) {
-        const double value = x[column + p];
-        solved[p] = Lanes{value, value, value, value};
-    }
+    Four solved[Width];
+    for (int p = 0; p < Width; ++p) solved[p] = all(x[column + p]);
     int row = column + Width;
-    for (; row + laneCount <= panel.rows; row += laneCount) {
-        Lanes sum = solved[0] * lanesAt(values + row);
+    for (; row + 4 <= panel.rows; row += 4) {
+        Four sum = solved[0] * lanesAt(values + row);
         for (int p = 1; p < Width; ++p) sum += solved[p] * lanesAt(values + p * stride + row);
         lanesAt(x + row) -= sum;
     }
@@ -55,9 +46,9 @@ template <int Width>
 void backwardColumns(const FactorPanel& panel, int column, double* x) {
     const std::int64_t stride = panel.rows;
     const float* const values = panel.values + column * stride;
-    Lanes sums[Width] = {};
+    Four sums[Width] = {};
     int row = column + Width;
-    for (; row + laneCount <= panel.rows; row += laneCount)
+    for (; row + 4 <= panel.rows; row += 4)
         for (int p = 0; p < Width; ++p) sums[p] += lanesAt(values + p * stride + row) * lanesAt(x + row);
     for (; row < panel.rows; ++row)
         for (int p = 0; p < Width; ++p) sums[p][0] += values[p * stride + row] * x[row];
@@ -82,7 +73,7 @@ void backward(const FactorPanel& panel, double* x) {
     for (; column > 0; --column) backwardColumns<1>(panel, column - 1, x);
 }
 
-constexpr FactorKernels kernels{forward, backward};
+constexpr FactorKernels factorKernels{forward, backward};
 
 } // namespace
 } // namespace toile::dynamics

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#pragma once
-
-// The loops of a sweep. Compiled once for each kind of processor by the files that include it.
+// The loops of a sweep. Compiled once for each kind of processor by Kernels.cpp and KernelsAvx2.cpp.
+#ifdef TOILE_SWEEP_LOOPS
+#error "Two kinds of processor in one compilation would be the same one."
+#endif
+#define TOILE_SWEEP_LOOPS
 
 #include "core/cloth/Forces.h"
 #include "core/dynamics/SweepKernels.h"
@@ -321,8 +323,8 @@ void sweepLevel(Place* places, std::span<const FourLevelTriangles> triangles) {
     }
 }
 
-constexpr SweepKernels kernels{sweepSprings, sweepLinear<3>, sweepLinear<4>, sweepTriangles,
-                               sweepCells,   sweepHinges,    sweepLevel};
+constexpr SweepKernels sweepKernels{sweepSprings, sweepLinear<3>, sweepLinear<4>, sweepTriangles,
+                                    sweepCells,   sweepHinges,    sweepLevel};
 
 } // namespace
 } // namespace toile::dynamics

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/FactorKernels.h"
 #include "core/dynamics/XpbdSweep.h"
 #include "tests/cloth/Fixtures.h"
 
@@ -74,6 +75,13 @@ class tst_SweepKernels : public QObject {
     Q_OBJECT
 
 private slots:
+    void processorsHaveLoopsOfTheirOwn() { // else that they agree would say nothing
+        const SweepKernels* fast = dynamics::avx2Kernels();
+        if (!fast) return; // there is one kind here
+        QVERIFY(fast->springs != dynamics::plainKernels().springs);
+        QVERIFY(fast->level != dynamics::plainKernels().level);
+        QVERIFY(dynamics::avx2FactorKernels()->forward != dynamics::plainFactorKernels().forward);
+    }
     void everyProcessorGivesTheSameBits_data() {
         QTest::addColumn<QString>("kind");
         for (const char* kind : {"springs", "triangles", "knit triangles", "knit cells", "hinges"})

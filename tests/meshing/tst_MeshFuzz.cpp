@@ -130,7 +130,7 @@ void tst_MeshFuzz::randomGarmentsMeshOrAreRefused() {
     const long first = std::max(1, qEnvironmentVariableIntValue("TOILE_FUZZ_FROM"));
     const long count = qEnvironmentVariableIsSet("TOILE_FUZZ") ? qEnvironmentVariableIntValue("TOILE_FUZZ")
                        : isSanitized                           ? 5000
-                                                               : 15000;
+                                                               : 30000;
     int meshed = 0, failed = 0;
     for (long seed = first; seed < first + count; ++seed) {
         runningSeed = seed;
