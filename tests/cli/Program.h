@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/base/Json.h"
+#include "tests/base/Pages.h"
 
 #include <QDir>
-#include <QFile>
 #include <QProcess>
 #include <QString>
 #include <QStringList>
@@ -36,9 +36,12 @@ inline Finished run(const QStringList& arguments, int patience = 120000 /* [ms] 
             QString::fromUtf8(process.readAllStandardError())};
 }
 
-inline QByteArray contentOf(const QString& file) {
-    QFile opened(file);
-    return opened.open(QIODevice::ReadOnly) ? opened.readAll() : QByteArray();
+/// The lines of a page's code blocks that run this command, without the program's name.
+inline QList<QStringList> commandsIn(const QString& text, const QString& command) {
+    QList<QStringList> found;
+    for (const QString& line : text.split('\n'))
+        if (line.startsWith("toile-cli " + command)) found << QProcess::splitCommand(line).mid(1);
+    return found;
 }
 
 /// Null when it is no JSON.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/cli/Pages.h"
+#include "tests/cli/Program.h"
 
 #include <QTemporaryDir>
 #include <cmath>

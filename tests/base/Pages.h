@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/cli/Program.h"
-
+#include <QFile>
 #include <QRegularExpression>
+#include <QString>
+#include <QStringList>
 
-/// What the pages of the documentation say: tables, and the commands that make them.
+/// What the pages of the documentation say in their tables.
 namespace toile {
+
+/// Empty when there is no such file.
+inline QByteArray contentOf(const QString& file) {
+    QFile opened(file);
+    return opened.open(QIODevice::ReadOnly) ? opened.readAll() : QByteArray();
+}
 
 /// A page of docs/.
 inline QString page(const QString& name) {
@@ -32,14 +39,6 @@ inline QList<QStringList> tableIn(const QString& text, const QString& heading) {
         break;
     }
     return rows;
-}
-
-/// The lines of the page's code blocks that run this command, without the program's name.
-inline QList<QStringList> commandsIn(const QString& text, const QString& command) {
-    QList<QStringList> found;
-    for (const QString& line : text.split('\n'))
-        if (line.startsWith("toile-cli " + command)) found << QProcess::splitCommand(line).mid(1);
-    return found;
 }
 
 } // namespace toile
