@@ -25,18 +25,24 @@ bool allFinite(std::span<const Vec3> values) {
 /// One run: Φ, how it comes to its steps, and the state of the iteration.
 class Run {
 public:
-    Run(const Potential& potential, BlockSolver& solver, const MinimiserSettings& settings)
-        : potential_(potential), settings_(settings), steps_(stepsFor(potential, solver, settings.tolerance)) {}
+    Run(const Potential& potential, BlockSolver& solver, const MinimiserSettings& settings, std::stop_token stop)
+        : potential_(potential), settings_(settings), stop_(stop),
+          steps_(stepsFor(potential, solver, settings.tolerance, std::move(stop))) {}
 
-    Result<MinimiserReport> minimise(std::span<Vec3> x, std::stop_token stop, const Progress& progress);
+    Result<MinimiserReport> minimise(std::span<Vec3> x, const Progress& progress);
 
 private:
+    [[nodiscard]] tl::unexpected<Error> stopped() const {
+        return fail(ErrorCode::cancelled,
+                    potential_.inertia() > 0 ? "The step was stopped." : "The static solution was stopped.");
+    }
     [[nodiscard]] bool advance(std::span<Vec3> x, const Potential::Measured& now, const TrustedStep& step,
                                MinimiserIteration& log);
     void judgeLast(double energyNow);
 
     const Potential& potential_;
     const MinimiserSettings& settings_;
+    std::stop_token stop_;
     std::unique_ptr<NewtonSteps> steps_;
     std::optional<TakenStep> last_;  ///< not judged yet
     std::vector<double> climbed_{0}; ///< sums of the changes of Φ up to the last iterations, each step by its
@@ -67,7 +73,7 @@ bool Run::advance(std::span<Vec3> x, const Potential::Measured& now, const Trust
     double fraction = bounded && largest > settings_.maximumMove ? settings_.maximumMove / largest : 1;
     // Close to the end the gain is below what rounding leaves of Φ: there the force decides.
     const double rounding = 1e-14 * (std::abs(now.energy) + potential_.forceScale() * static_cast<double>(x.size()));
-    for (int cut = 0; cut < 25; ++cut, fraction /= 2) {
+    for (int cut = 0; cut < 25 && !stop_.stop_requested(); ++cut, fraction /= 2) {
         potential_.moveTo(x, from, step.move, fraction);
         const double energy = potential_.energyAt(x), gain = now.energy - energy;
         const bool better = gain + slack >= -1e-4 * fraction * slope;
@@ -86,7 +92,7 @@ bool Run::advance(std::span<Vec3> x, const Potential::Measured& now, const Trust
     return false;
 }
 
-Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, const Progress& progress) {
+Result<MinimiserReport> Run::minimise(std::span<Vec3> x, const Progress& progress) {
     MinimiserReport out;
     const double scale = potential_.forceScale();
     out.residualFloor = potential_.roundingFloor(x);
@@ -99,9 +105,6 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, c
     bool fresh = true;        // friction rests on the forces of here
     double freshResidual = 0; // where it last did
     for (;; ++out.iterations) {
-        if (stop.stop_requested())
-            return fail(ErrorCode::cancelled,
-                        potential_.inertia() > 0 ? "The step was stopped." : "The static solution was stopped.");
         for (Stage* stage : potential_.stages()) stage->beginIteration(x);
         Potential::Measured now = potential_.measuredAt(x);
         judgeLast(now.energy);
@@ -110,6 +113,7 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, c
             now = potential_.measuredAt(x);
             fresh = true;
         }
+        if (stop_.stop_requested()) return stopped();
         if (!allFinite(now.forces) || !std::isfinite(now.energy))
             return fail(ErrorCode::notConverged, fmt::format("The force on particle {} is no number in iteration {}.",
                                                              now.worst, out.iterations));
@@ -133,6 +137,7 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, std::stop_token stop, c
         const double tolerance = std::max(forcing * now.largest, 0.1 * goal * scale);
         lastResidual = residual;
         const std::optional<TrustedStep> step = steps_->stepAt(x, now.forces, tolerance, log);
+        if (stop_.stop_requested()) return stopped(); // the step is of no use
         if (!step) return fail(ErrorCode::notConverged, nothingHolds);
         out.gradientIterations += log.gradientIterations;
         if (advance(x, now, *step, log)) {
@@ -200,7 +205,7 @@ Result<MinimiserReport> Minimiser::minimise(std::span<Vec3> positions, const Min
     if (auto ready = d.begin(positions, problem); !ready) return tl::unexpected(ready.error());
     if (d.eliminated.count() == 0) return MinimiserReport{.converged = true};
     const Potential potential(d.model, d.eliminated, d.mass, problem);
-    auto report = Run(potential, d.solver, d.settings).minimise(positions, stop, progress);
+    auto report = Run(potential, d.solver, d.settings, std::move(stop)).minimise(positions, progress);
     if (!report) return report;
     d.count(*report);
     return report;

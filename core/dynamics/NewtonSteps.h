@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 namespace toile::dynamics {
 
@@ -18,7 +19,8 @@ struct TakenStep {
     int cuts = 0;
 };
 
-/// How a run of the minimiser comes to its next step, and learns from the last.
+/// How a run of the minimiser comes to its next step, and learns from the last. Once it is asked to stop, a step ends
+/// after the solution under way, and is of no use.
 class NewtonSteps {
 public:
     virtual ~NewtonSteps() = default;
@@ -35,7 +37,7 @@ public:
 /// one factor each iteration. For steps in time, and for statics of few particles.
 class ShiftedSteps : public NewtonSteps {
 public:
-    ShiftedSteps(const Potential& potential, BlockSolver& solver);
+    ShiftedSteps(const Potential& potential, BlockSolver& solver, std::stop_token stop = {});
 
     std::optional<TrustedStep> stepAt(std::span<const Vec3> x, std::span<const Vec3> forces, double tolerance,
                                       MinimiserIteration& log) override;
@@ -52,6 +54,7 @@ private:
 
     const Potential& potential_;
     BlockSolver& solver_;
+    std::stop_token stop_;
     double levenberg_;      ///< scale of μ [1/s²]
     double shift_;          ///< Levenberg weight μ [1/s²]: factors H + (c + μ)·M
     int projectedLeft_ = 0; ///< iterations for which the exact Hessian is not tried again
@@ -63,7 +66,7 @@ private:
 class TrustedSteps : public NewtonSteps {
 public:
     /// leastForce: below which no solution need bring the residual [N].
-    TrustedSteps(const Potential& potential, BlockSolver& solver, double leastForce);
+    TrustedSteps(const Potential& potential, BlockSolver& solver, double leastForce, std::stop_token stop);
 
     std::optional<TrustedStep> stepAt(std::span<const Vec3> x, std::span<const Vec3> forces, double tolerance,
                                       MinimiserIteration& log) override;
@@ -76,6 +79,7 @@ private:
     const Potential& potential_;
     BlockSolver& solver_;
     double leastForce_;
+    std::stop_token stop_;
     double radius_ = 0;              ///< as far as a model is trusted, √(sᵀPs); 0 before the first step
     BlockMatrix exact_;              ///< H, whose projected form the solver's factor is of
     RoundedFactor preconditioner_;   ///< that factor
@@ -84,6 +88,7 @@ private:
 };
 
 /// The one for this run.
-[[nodiscard]] std::unique_ptr<NewtonSteps> stepsFor(const Potential& potential, BlockSolver& solver, double tolerance);
+[[nodiscard]] std::unique_ptr<NewtonSteps> stepsFor(const Potential& potential, BlockSolver& solver, double tolerance,
+                                                    std::stop_token stop);
 
 } // namespace toile::dynamics

@@ -14,8 +14,9 @@ constexpr double leastShift = 1e-4;
 
 } // namespace
 
-ShiftedSteps::ShiftedSteps(const Potential& potential, BlockSolver& solver)
-    : potential_(potential), solver_(solver), levenberg_(potential.inertia() > 0 ? potential.inertia() : firstInertia),
+ShiftedSteps::ShiftedSteps(const Potential& potential, BlockSolver& solver, std::stop_token stop)
+    : potential_(potential), solver_(solver), stop_(std::move(stop)),
+      levenberg_(potential.inertia() > 0 ? potential.inertia() : firstInertia),
       shift_(potential.inertia() > 0 ? 0 : firstInertia) {}
 
 std::optional<TrustedStep> ShiftedSteps::stepAt(std::span<const Vec3> x, std::span<const Vec3> forces, double tolerance,
@@ -39,6 +40,7 @@ ShiftedSteps::Solution ShiftedSteps::moveAt(std::span<const Vec3> x, std::span<c
                 projectedRun_ = 0;
                 return step;
             }
+            if (stop_.stop_requested()) return std::nullopt;
             if (shift_ >= levenberg_ || potential_.inertia() > 0) break;
             shift_ = std::max(10 * shift_, leastShift * levenberg_);
         }
@@ -50,7 +52,7 @@ ShiftedSteps::Solution ShiftedSteps::moveAt(std::span<const Vec3> x, std::span<c
     }
     log.indefinite = true;
     potential_.assemble(x, cloth::HessianForm::projected, solver_.matrix());
-    for (int attempt = 0; attempt < 12; ++attempt) {
+    for (int attempt = 0; attempt < 12 && !stop_.stop_requested(); ++attempt) {
         if (Solution step = solved(forces, tolerance)) return step;
         shift_ = std::max(10 * shift_, 10 * leastShift * levenberg_);
     }

@@ -26,7 +26,7 @@ TrustedStep trustedStep(const BlockMatrix& hessian, RoundedFactor& preconditione
     double rz = dotOf(r, z);
     double ss = 0, sp = 0, pp = rz; // products by P of the step and the direction, without ever multiplying by it
     if (radius == 0) radius = std::sqrt(rz);
-    while (step.iterations < settings.maximumIterations && rz > 0) {
+    while (step.iterations < settings.maximumIterations && rz > 0 && !settings.stop.stop_requested()) {
         ++step.iterations;
         hessian.multiply(unshifted, p, hp, team);
         const double curvature = dotOf(p, hp), along = rz / curvature;

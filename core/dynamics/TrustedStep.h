@@ -5,6 +5,7 @@
 #include "core/dynamics/RoundedFactor.h"
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace toile::dynamics {
@@ -23,6 +24,7 @@ struct TrustedStepSettings {
     double forcing = 0.1;       ///< part of the largest force that may be left over [–]
     double leastForce = 0;      ///< as much may be left in any case, in the unit of the forces
     int maximumIterations = 60; ///< of conjugate gradients
+    std::stop_token stop = {};  ///< of conjugate gradients none more, once it is asked
 };
 
 /// Minimises −fᵀs + ½sᵀHs over √(sᵀPs) ≤ radius, roughly: by conjugate gradients from 0 that stop where they leave the

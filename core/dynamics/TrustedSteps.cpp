@@ -17,14 +17,15 @@ constexpr std::size_t fewParticles = 4000;
 
 } // namespace
 
-std::unique_ptr<NewtonSteps> stepsFor(const Potential& potential, BlockSolver& solver, double tolerance) {
+std::unique_ptr<NewtonSteps> stepsFor(const Potential& potential, BlockSolver& solver, double tolerance,
+                                      std::stop_token stop) {
     if (potential.inertia() > 0 || potential.mass().size() < fewParticles)
-        return std::make_unique<ShiftedSteps>(potential, solver);
-    return std::make_unique<TrustedSteps>(potential, solver, 0.5 * tolerance * potential.forceScale());
+        return std::make_unique<ShiftedSteps>(potential, solver, std::move(stop));
+    return std::make_unique<TrustedSteps>(potential, solver, 0.5 * tolerance * potential.forceScale(), std::move(stop));
 }
 
-TrustedSteps::TrustedSteps(const Potential& potential, BlockSolver& solver, double leastForce)
-    : potential_(potential), solver_(solver), leastForce_(leastForce),
+TrustedSteps::TrustedSteps(const Potential& potential, BlockSolver& solver, double leastForce, std::stop_token stop)
+    : potential_(potential), solver_(solver), leastForce_(leastForce), stop_(std::move(stop)),
       exact_(static_cast<int>(potential.mass().size())) {}
 
 std::optional<TrustedStep> TrustedSteps::stepAt(std::span<const Vec3> x, std::span<const Vec3> forces, double,
@@ -34,8 +35,8 @@ std::optional<TrustedStep> TrustedSteps::stepAt(std::span<const Vec3> x, std::sp
     ++served_;
     potential_.assemble(x, cloth::HessianForm::exact, exact_);
     exact_.settlePattern();
-    TrustedStep step =
-        trustedStep(exact_, preconditioner_, forces, radius_, {.leastForce = leastForce_}, potential_.team());
+    TrustedStep step = trustedStep(exact_, preconditioner_, forces, radius_, {.leastForce = leastForce_, .stop = stop_},
+                                   potential_.team());
     if (radius_ == 0) radius_ = step.norm;
     gradients_ = step.iterations;
     log.gradientIterations = step.iterations;
@@ -47,7 +48,7 @@ bool TrustedSteps::factoredAt(std::span<const Vec3> x) {
     potential_.assemble(x, cloth::HessianForm::projected, solver_.matrix());
     std::vector<double> shift(potential_.mass().size());
     double inertia = leastInertia;
-    for (int attempt = 0; attempt < 12; ++attempt, inertia *= 10) {
+    for (int attempt = 0; attempt < 12 && !stop_.stop_requested(); ++attempt, inertia *= 10) {
         for (std::size_t u = 0; u < shift.size(); ++u) shift[u] = inertia * potential_.mass()[u];
         if (!solver_.matrix().factorize(shift)) continue;
         preconditioner_.take(solver_.matrix().factor());

@@ -53,6 +53,32 @@ geometry::TriangleMesh ball(double radius, int n) {
     return geometry::welded(mesh, 1e-9);
 }
 
+/// Does nothing but count what is asked of it, and ask for a stop at one of these questions.
+struct Stopper : dynamics::Stage {
+    enum class Question { energy, hessian };
+    Question which = Question::energy;
+    int stopAt = 0;
+    mutable std::stop_source source;
+    mutable int asked = 0;                            ///< of the kind that matters
+    mutable int energiesLater = 0, hessiansLater = 0; ///< after the stop
+
+    void count(Question question) const {
+        if (source.stop_requested()) ++(question == Question::energy ? energiesLater : hessiansLater);
+        else if (question == which && ++asked == stopAt) source.request_stop();
+    }
+    std::string_view name() const override { return "stopper"; }
+    std::size_t bytes() const override { return sizeof *this; }
+    void beginStep(const dynamics::ParticleState&, double) override {}
+    void project(dynamics::Substep&) override {}
+    void beginIteration(std::span<const Vec3>) override {}
+    double energy(std::span<const Vec3>) const override {
+        count(Question::energy);
+        return 0;
+    }
+    void addForces(std::span<const Vec3>, std::span<Vec3>) const override {}
+    void addHessian(std::span<const Vec3>, dynamics::HessianSink&) const override { count(Question::hessian); }
+};
+
 double residualOf(const Sheet& s) {
     std::vector<Vec3> forces(s.state.positions.size());
     cloth::addForces(s.model, s.state.positions, forces);
@@ -111,6 +137,31 @@ private slots:
         QVERIFY2(report->newton.converged, qPrintable(QString("residual %1").arg(report->newton.residual)));
         QVERIFY(contact.clearance(s.state.positions) > 0.0025); // of 3.2 mm asked
         QVERIFY(contact.report(s.state.positions).contacts > 20);
+    }
+
+    void aStopEndsWhatIsUnderWayAndNothingElse_data() {
+        QTest::addColumn<int>("cells");
+        QTest::addColumn<Stopper::Question>("which");
+        QTest::addColumn<int>("stopAt");
+        for (const int cells : {16, 64}) // few particles, and so many that they have steps of their own
+            for (const int stopAt : {1, 2, 3, 4, 7, 10, 15}) {
+                QTest::addRow("%d cells, energy %d", cells, stopAt) << cells << Stopper::Question::energy << stopAt;
+                QTest::addRow("%d cells, Hessian %d", cells, stopAt) << cells << Stopper::Question::hessian << stopAt;
+            }
+    }
+    void aStopEndsWhatIsUnderWayAndNothingElse() {
+        QFETCH(int, cells);
+        Sheet s = sheet(wovenFabric(), 0.5, cells);
+        QFETCH(Stopper::Question, which);
+        QFETCH(int, stopAt);
+        Stopper stopper;
+        stopper.which = which;
+        stopper.stopAt = stopAt;
+        dynamics::Stage* stages[] = {&stopper};
+        const auto report = dynamics::solveStatic(s.model, s.state, gravity, stages, {}, stopper.source.get_token());
+        QVERIFY(!report && report.error().code == ErrorCode::cancelled);
+        QCOMPARE(stopper.hessiansLater, 0);
+        QVERIFY(stopper.energiesLater <= 1); // where a step that was just taken has led
     }
 
     void aFlatSheetFallsIntoEquilibriumToo() {
