@@ -10,6 +10,7 @@ Result<StepReport> BaraffWitkin::advance(ParticleState& state, double duration, 
     const ImplicitStage::Known known{state.positions, state.velocities, duration};
     if (auto solved = stage_.solveLinearised(state, known, gravity, stages, report); !solved)
         return tl::unexpected(solved.error());
+    hold(known.position, state, duration, stages);
     return report;
 }
 

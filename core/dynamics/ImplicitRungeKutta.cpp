@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace toile::dynamics {
 
@@ -130,12 +131,17 @@ Result<ImplicitRungeKutta::Step> ImplicitRungeKutta::once(const ButcherTableau& 
             accelerations.back()[p] = (state.velocities[p] - known.velocity[p]) / known.span;
     }
     const bool lastStageIsResult = tableau.b == tableau.a[tableau.stages - 1];
+    const std::vector<Vec3> lastStage = lastStageIsResult ? std::vector<Vec3>() : state.positions;
     if (!lastStageIsResult) {
         state.positions = combined(start.positions, h, tableau.b, velocities);
         state.velocities = combined(start.velocities, h, tableau.b, accelerations);
     }
     eliminated().place(state.positions);
     eliminated().place(state.velocities);
+    if (!lastStageIsResult) { // Newton held the way to the last stage alone
+        const auto& row = tableau.a[tableau.stages - 1];
+        hold(lastStage, state, h * (1 - std::accumulate(row.begin(), row.end(), 0.0)), stages);
+    }
     if (tableau.guarded) {
         const double work = workBetween(start, outside, state, forcesFromOutside(state, h, stages));
         step.gains = monitor.observe(energiesOf(model(), state, gravity, stages), work);

@@ -89,4 +89,14 @@ void Integrator::accelerationsAt(const ParticleState& state, double h, const Vec
     for (const int p : eliminated_.free()) accelerations[p] = gravity + accelerations[p] / model_.mass[p];
 }
 
+void Integrator::hold(std::span<const Vec3> from, ParticleState& state, double h,
+                      std::span<Stage* const> stages) const {
+    if (stages.empty()) return;
+    const std::vector<Vec3> wanted = state.positions;
+    for (Stage* stage : stages) stage->hold(from, state.positions);
+    if (state.positions == wanted) return;
+    for (std::size_t p = 0; p < wanted.size(); ++p) state.velocities[p] += (state.positions[p] - wanted[p]) / h;
+    eliminated_.place(state.velocities);
+}
+
 } // namespace toile::dynamics

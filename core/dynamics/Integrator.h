@@ -60,6 +60,9 @@ protected:
     /// the accelerations are taken [s].
     void accelerationsAt(const ParticleState& state, double h, const Vec3& gravity, std::span<Stage* const> stages,
                          std::vector<Vec3>& accelerations);
+    /// Lets stages shorten the ways of a part that took h [s], from where particles were to where the state has them.
+    /// What a way loses its velocity does, too.
+    void hold(std::span<const Vec3> from, ParticleState& state, double h, std::span<Stage* const> stages) const;
     [[nodiscard]] const cloth::ClothModel& model() const { return model_; }
     [[nodiscard]] const Eliminated& eliminated() const { return eliminated_; }
 

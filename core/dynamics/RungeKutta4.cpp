@@ -38,6 +38,7 @@ Result<StepReport> RungeKutta4::advance(ParticleState& state, double duration, c
         }
         eliminated().place(state.positions);
         eliminated().place(state.velocities);
+        hold(start.positions, state, h, stages);
     }
     return StepReport{.parts = *parts};
 }

@@ -42,8 +42,9 @@ std::size_t SelfContact::bytes() const {
     const std::size_t vectors =
         from_.capacity() + moves_.capacity() + wanted_.capacity() + anchors_.capacity() + iterationStart_.capacity();
     return vectors * sizeof(Vec3) + flags_.capacity() + watches_.capacity() * sizeof(Watch) +
-           contacts_.capacity() * sizeof(Contact) + margins_.capacity() * sizeof(Margin) +
-           awake_.capacity() * sizeof(std::size_t) + (proximity_ ? proximity_->bytes() : 0);
+           contacts_.capacity() * sizeof(Contact) + rubbing_.capacity() * sizeof(Rubbing) +
+           margins_.capacity() * sizeof(Margin) + awake_.capacity() * sizeof(std::size_t) +
+           (proximity_ ? proximity_->bytes() : 0);
 }
 
 void SelfContact::beginStep(const ParticleState&, double duration) {
@@ -54,7 +55,6 @@ void SelfContact::beginStep(const ParticleState&, double duration) {
 
 void SelfContact::project(Substep& substep) {
     anchors_.clear();
-    ++substep_;
     double from = strayed(substep);
     if (!(from <= slack_)) {
         if (!foresee(substep)) return standStill(substep);

@@ -61,7 +61,9 @@ public:
 
     void beginStep(const ParticleState& state, double duration) override;
     void project(Substep& substep) override;
+    void hold(std::span<const Vec3> from, std::span<Vec3> positions) override;
 
+    void fixFriction(std::span<const Vec3> positions) override;
     /// Finds the pairs within reach. Until the next call no particle can move farther than staticMove, or a part of
     /// it where pairs would be too many, and no pair can cross: the energy is infinite there.
     void beginIteration(std::span<const Vec3> positions) override;
@@ -100,12 +102,18 @@ private:
     };
     /// What is read only of pairs that may touch.
     struct Contact {
-        int substep = -1;                ///< for which direction, start and weights were found
         Vec3 direction;                  ///< unit, from the second element to the first; zero = not asked yet
         double start = 0;                ///< distance at the start of the substep [m]
         std::array<double, 4> weights{}; ///< of the shortest way then
         double friction = 0;             ///< √(μ₁μ₂) [–]
-        double normalForce = 0;          ///< running mean of the substeps, then lagged by one iteration [N]
+        double normalForce = 0;          ///< running mean of the substeps, then as friction was fixed [N]
+    };
+    /// Friction of a pair, as it was fixed for statics.
+    struct Rubbing {
+        std::array<int, 4> vertices{};
+        std::array<double, 4> weights{}; ///< of the way between its elements
+        Vec3 direction;                  ///< of that way, unit
+        double force = 0;                ///< μN [N]
     };
 
     /// Elements nearer than this have no direction that could be trusted: they count as crossed [m].
@@ -165,10 +173,12 @@ private:
     void goPartOfTheWay(int particle, double fraction, Substep& substep);
 
     // SelfContactStatics.cpp
+    void keepNeighbours(std::span<const Vec3> positions);
     void seekForStatics(std::span<const Vec3> positions);
     [[nodiscard]] double stiffnessOf(const Watch& watch) const;
+    [[nodiscard]] double storedAt(const Watch& watch, double distance) const;
     [[nodiscard]] double pressureAt(const Watch& watch, double distance) const;
-    [[nodiscard]] Vec3 slipOf(std::size_t pair, std::span<const Vec3> positions) const;
+    [[nodiscard]] Vec3 slipOf(const Rubbing& pair, std::span<const Vec3> positions) const;
     [[nodiscard]] bool isFar(const Watch& watch, const Contact& contact, std::span<const Vec3> positions) const;
 
     const cloth::ClothModel& model_;
@@ -196,10 +206,11 @@ private:
     double ahead_ = 1;                  ///< part of what should be looked ahead for which pairs are not too many [–]
     double slack_ = 0, staticMove_ = 0; ///< of the settings, what holds for the pairs watched now [m]
     double frame_ = 0;                  ///< duration of the step [s]
-    int substep_ = 0, searches_ = 0, shortSearches_ = 0, heldBack_ = 0;
+    int searches_ = 0, shortSearches_ = 0, heldBack_ = 0;
     std::vector<std::size_t> touching_; ///< pairs to be pushed in this substep, or to be held apart
     std::vector<Vec3> wanted_;          ///< where particles would go before their ways are shortened [m]
     std::vector<double> fraction_;      ///< of its way that a particle goes; empty until one is shortened
+    std::vector<Rubbing> rubbing_;      ///< of statics
     std::vector<Vec3> iterationStart_;  ///< of statics [m]
     std::vector<Vec3> anchors_;         ///< where particles were at the start of statics; empty until then [m]
 };

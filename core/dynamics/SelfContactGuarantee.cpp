@@ -29,6 +29,25 @@ double SelfContact::holdApart(Substep& substep) {
     return strayed(substep);
 }
 
+/// The neighbours that beginIteration() found are all that can meet while no particle goes farther from where it was
+/// then than twice staticMove. Else all ways of this part are looked at.
+void SelfContact::hold(std::span<const Vec3> from, std::span<Vec3> positions) {
+    Substep way{.positions = positions, .previous = from, .inverseMass = {}, .duration = frame_};
+    way.time = fromTime_ + frame_;
+    horizon_ = frame_;
+    const auto isKnown = [&](std::span<const Vec3> at) { return farthestMove(from_, at) <= 2 * staticMove_; };
+    if (from_.size() == positions.size() && isKnown(from) && isKnown(positions)) {
+        moves_.assign(positions.size(), Vec3{}); // nothing was foreseen
+        for (const std::size_t i : awake_) watches_[i].before = leastDistance(watches_[i], from);
+        static_cast<void>(holdApart(way));
+        return;
+    }
+    moves_.resize(positions.size());
+    if (seekOnAllWays(way)) static_cast<void>(holdApart(way));
+    else standStill(way);
+    from_.clear(); // the list is of this way only
+}
+
 /// Pairs that are not known to be apart and have no direction along which they are.
 void SelfContact::findUnseparated(const Substep& substep) {
     flags_.resize(awake_.size());

@@ -178,7 +178,6 @@ bool SelfContact::isIgnored(const ElementPair& pair) const {
 /// Finds the direction and the weights of the shortest way at some positions.
 void SelfContact::look(const Watch& watch, Contact& contact, std::span<const Vec3> positions) const {
     const Separation found = collision::separationOf(watch.elements, positions);
-    contact.substep = substep_;
     contact.start = found.distance;
     contact.direction = found.distance > noDistance ? found.way / found.distance : Vec3{};
     contact.weights = found.weights;

@@ -15,8 +15,6 @@ using collision::gapAlong;
 using collision::Separation;
 using collision::separationOf;
 
-/// Friction of one iteration rests on at least this part of the normal force of the iteration before [–].
-constexpr double keptNormalForce = 0.5;
 /// Less is no force [N]: a thousandth of the weight of 10 mm² of light cloth.
 constexpr double leastForce = 1e-8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -33,31 +31,70 @@ double barrierCurvature(double s) {
     return s < 1 ? (1 - s) * (4 / s + (1 - s) / (s * s)) - 2 * std::log(s) : 0;
 }
 
+/// How much of the potential of a pair counts [–], and the derivative of that by its vertices [1/m].
+struct Share {
+    double value = 1;
+    std::array<Vec3, 4> slope{};
+};
+
+/// The nearest points of edges leap from end to end where these become parallel, and with them the force: a fold there
+/// is no equilibrium that Newton could find. Pairs of edges therefore fade out below an angle of 2°; corners and
+/// triangles hold such layers apart. Ref: Li et al. 2020, §4.3
+Share shareOf(const collision::ElementPair& pair, std::span<const Vec3> positions) {
+    constexpr double whole = 1e-3; // sin² of the angle
+    if (pair.firstCount == 1) return {};
+    const auto& v = pair.vertices;
+    const Vec3 a = positions[v[1]] - positions[v[0]], b = positions[v[3]] - positions[v[2]];
+    const double aa = squaredLength(a), bb = squaredLength(b), ab = dot(a, b);
+    const double s = aa > 0 && bb > 0 ? std::max(0.0, 1 - ab * ab / (aa * bb)) : 0;
+    if (s >= whole) return {};
+    const double part = s / whole, slope = 2 * (1 - part) / whole;
+    if (!(aa > 0 && bb > 0)) return {.value = 0};
+    const Vec3 byA = (2 * slope * ab / (aa * bb)) * ((ab / aa) * a - b),
+               byB = (2 * slope * ab / (aa * bb)) * ((ab / bb) * b - a);
+    return {part * (2 - part), {-byA, byA, -byB, byB}};
+}
+
 } // namespace
 
-void SelfContact::beginIteration(std::span<const Vec3> positions) {
+/// Pairs beyond the reach need four moves to meet; neighbours are sought again after the first of a particle's two.
+void SelfContact::keepNeighbours(std::span<const Vec3> positions) {
     const bool first = anchors_.empty();
     if (first) {
         anchors_.assign(positions.begin(), positions.end());
         mayPierce_ = true; // who calls may have come here by ways that nobody held
     }
-    // Pairs beyond the reach need four moves to meet; neighbours are sought again after the first of a
-    // particle's two.
-    if (first || farthestMove(from_, positions) > staticMove_) seekForStatics(positions);
-    iterationStart_.assign(positions.begin(), positions.end());
-    moves_.clear();
-    ++substep_;
+    if (first || from_.size() != positions.size() || farthestMove(from_, positions) > staticMove_)
+        seekForStatics(positions);
+}
+
+/// The first after position-based substeps takes their mean: the potential may be far from balance there.
+void SelfContact::fixFriction(std::span<const Vec3> positions) {
+    const bool first = anchors_.empty();
+    keepNeighbours(positions);
+    rubbing_.clear();
     for (std::size_t i = 0; i < watches_.size(); ++i) {
         const Watch& watch = watches_[i];
         Contact& contact = contacts_[i];
-        double force = 0;
-        if (leastDistance(watch, positions) < watch.target + 2 * staticMove_) {
-            look(watch, contact, positions);
-            if (contact.start > noDistance) force = pressureAt(watch, contact.start);
-        }
-        contact.normalForce = std::max(contact.normalForce * (first ? 1 : keptNormalForce), force);
-        if (contact.normalForce < leastForce) contact.normalForce = 0;
+        const bool touches = leastDistance(watch, positions) < watch.target;
+        if (touches || contact.normalForce > 0) look(watch, contact, positions);
+        if (!first)
+            contact.normalForce = touches && contact.start > noDistance
+                                      ? shareOf(watch.elements, positions).value * pressureAt(watch, contact.start)
+                                      : 0;
+        if (contact.normalForce < leastForce || contact.start <= noDistance) continue;
+        rubbing_.push_back(
+            {watch.elements.vertices, contact.weights, contact.direction, contact.friction * contact.normalForce});
     }
+}
+
+void SelfContact::beginIteration(std::span<const Vec3> positions) {
+    keepNeighbours(positions);
+    iterationStart_.assign(positions.begin(), positions.end());
+    moves_.clear();
+    for (std::size_t i = 0; i < watches_.size(); ++i)
+        if (leastDistance(watches_[i], positions) < watches_[i].target + 2 * staticMove_)
+            look(watches_[i], contacts_[i], positions);
 }
 
 /// Where pairs would be too many, particles may move by less.
@@ -84,11 +121,10 @@ double SelfContact::energy(std::span<const Vec3> positions) const {
         if (gapAlong(contact.direction, watch.elements, positions) < justEnough * keptOf(contact.start))
             return infinity;
         const double distance = separationOf(watch.elements, positions).distance;
-        sum += stiffnessOf(watch) * watch.target * watch.target * barrier(distance / watch.target);
-        if (contact.normalForce > 0)
-            sum += contact.friction * contact.normalForce *
-                   smoothLength(length(slipOf(i, positions)), settings_.frictionGive);
+        sum += shareOf(watch.elements, positions).value * storedAt(watch, distance);
     }
+    for (const Rubbing& pair : rubbing_)
+        sum += pair.force * smoothLength(length(slipOf(pair, positions)), settings_.frictionGive);
     return sum;
 }
 
@@ -100,24 +136,26 @@ void SelfContact::addForces(std::span<const Vec3> positions, std::span<Vec3> for
         const auto& v = watch.elements.vertices;
         const Separation found = separationOf(watch.elements, positions);
         if (found.distance < watch.target && found.distance > noDistance) {
-            const Vec3 force = found.way * (pressureAt(watch, found.distance) / found.distance);
-            for (int k = 0; k < 4; ++k) forces[v[k]] += found.weights[k] * force;
+            const Share share = shareOf(watch.elements, positions);
+            const Vec3 force = found.way * (share.value * pressureAt(watch, found.distance) / found.distance);
+            const double stored = storedAt(watch, found.distance);
+            for (int k = 0; k < 4; ++k) forces[v[k]] += found.weights[k] * force - stored * share.slope[k];
         }
-        if (contact.normalForce == 0) continue;
-        const Vec3 slip = slipOf(i, positions);
-        const double drag =
-            contact.friction * contact.normalForce * smoothSlopeOverLength(length(slip), settings_.frictionGive);
-        for (int k = 0; k < 4; ++k) forces[v[k]] -= (contact.weights[k] * drag) * slip;
+    }
+    for (const Rubbing& pair : rubbing_) {
+        const Vec3 slip = slipOf(pair, positions);
+        const double drag = pair.force * smoothSlopeOverLength(length(slip), settings_.frictionGive);
+        for (int k = 0; k < 4; ++k) forces[pair.vertices[k]] -= (pair.weights[k] * drag) * slip;
     }
 }
 
 void SelfContact::addHessian(std::span<const Vec3> positions, HessianSink& sink) const {
-    const auto add = [&](const Watch& watch, const std::array<double, 4>& weights, const double(&whole)[9]) {
+    const auto add = [&](const std::array<int, 4>& v, const std::array<double, 4>& weights, const double(&whole)[9]) {
         for (int i = 0; i < 4; ++i)
             for (int k = 0; k < 4; ++k) {
                 double block[9];
                 for (int e = 0; e < 9; ++e) block[e] = weights[i] * weights[k] * whole[e];
-                sink.add(watch.elements.vertices[i], watch.elements.vertices[k], block);
+                sink.add(v[i], v[k], block);
             }
     };
     for (std::size_t i = 0; i < watches_.size(); ++i) {
@@ -128,14 +166,15 @@ void SelfContact::addHessian(std::span<const Vec3> positions, HessianSink& sink)
         if (found.distance < watch.target && found.distance > noDistance) {
             double pressed[9] = {};
             addOuter(pressed, found.way / found.distance,
-                     stiffnessOf(watch) * barrierCurvature(found.distance / watch.target));
-            add(watch, found.weights, pressed);
+                     shareOf(watch.elements, positions).value * stiffnessOf(watch) *
+                         barrierCurvature(found.distance / watch.target));
+            add(watch.elements.vertices, found.weights, pressed);
         }
-        if (contact.normalForce == 0) continue;
+    }
+    for (const Rubbing& pair : rubbing_) {
         double rubbed[9] = {};
-        addFrictionCurvature(rubbed, slipOf(i, positions), contact.direction, contact.friction * contact.normalForce,
-                             settings_.frictionGive);
-        add(watch, contact.weights, rubbed);
+        addFrictionCurvature(rubbed, slipOf(pair, positions), pair.direction, pair.force, settings_.frictionGive);
+        add(pair.vertices, pair.weights, rubbed);
     }
 }
 
@@ -148,7 +187,6 @@ double SelfContact::largestFrequencySquared() const {
 
 /// Nothing is to be felt of this pair, and it cannot cross.
 bool SelfContact::isFar(const Watch& watch, const Contact& contact, std::span<const Vec3> positions) const {
-    if (contact.normalForce > 0) return contact.start <= noDistance;
     return leastDistance(watch, positions) > watch.target || contact.start <= noDistance;
 }
 
@@ -157,18 +195,20 @@ double SelfContact::stiffnessOf(const Watch& watch) const {
     return settings_.stiffness * 0.25 * (mass_[v[0]] + mass_[v[1]] + mass_[v[2]] + mass_[v[3]]);
 }
 
+/// In a pair at a distance [J].
+double SelfContact::storedAt(const Watch& watch, double distance) const {
+    return stiffnessOf(watch) * watch.target * watch.target * barrier(distance / watch.target);
+}
+
 /// With which a pair at a distance is pushed apart [N].
 double SelfContact::pressureAt(const Watch& watch, double distance) const {
     return -stiffnessOf(watch) * watch.target * barrierSlope(distance / watch.target);
 }
 
-Vec3 SelfContact::slipOf(std::size_t pair, std::span<const Vec3> positions) const {
+Vec3 SelfContact::slipOf(const Rubbing& pair, std::span<const Vec3> positions) const {
     Vec3 slip;
-    for (int i = 0; i < 4; ++i) {
-        const int p = watches_[pair].elements.vertices[i];
-        slip += contacts_[pair].weights[i] * (positions[p] - anchors_[p]);
-    }
-    return tangential(slip, contacts_[pair].direction);
+    for (int i = 0; i < 4; ++i) slip += pair.weights[i] * (positions[pair.vertices[i]] - anchors_[pair.vertices[i]]);
+    return tangential(slip, pair.direction);
 }
 
 } // namespace toile::dynamics

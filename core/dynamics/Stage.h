@@ -68,6 +68,12 @@ public:
     [[nodiscard]] virtual double energy(std::span<const Vec3> positions) const = 0;
     virtual void addForces(std::span<const Vec3> positions, std::span<Vec3> forces) const = 0;
     virtual void addHessian(std::span<const Vec3> positions, HessianSink& sink) const = 0;
+    /// After a part of a step whose end forces alone have decided: shortens ways on which what must stay apart would
+    /// meet. What is near was found by beginIteration() on them.
+    virtual void hold(std::span<const Vec3> from, std::span<Vec3> positions) {
+        static_cast<void>(from);
+        static_cast<void>(positions);
+    }
     /// Bound of what its forces add to the squared angular frequency of a particle [1/s²], for explicit methods.
     [[nodiscard]] virtual double largestFrequencySquared() const { return 0; }
 };

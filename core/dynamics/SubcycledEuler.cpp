@@ -133,6 +133,7 @@ Result<StepReport> SubcycledEuler::advance(ParticleState& state, double duration
     for (Stage* stage : stages) stage->beginStep(state, duration);
     const int highest = static_cast<int>(levels_.size()) - 1, ticks = parts_ << highest;
     const double shortest = duration / ticks;
+    std::vector<Vec3> from;
     for (int tick = 0; tick < ticks; ++tick) {
         if (stop.stop_requested()) return fail(ErrorCode::cancelled, "The step was stopped.");
         // Level l has its turn every 2^(highest − l) ticks; then all that its elements join has come to this time.
@@ -144,8 +145,12 @@ Result<StepReport> SubcycledEuler::advance(ParticleState& state, double duration
                 state.velocities[p] += stepOf(l) * (gravity - settings_.damping * state.velocities[p]);
         if (withStages_) pushByStages(state, stages, shortest);
         for (int l = first; l <= highest; ++l) push(levels_[l], state, stepOf(l));
+        if (withStages_) from = state.positions;
         for (int l = first; l <= highest; ++l)
             for (const int p : levels_[l].drifting) state.positions[p] += stepOf(l) * state.velocities[p];
+        if (!withStages_) continue;
+        eliminated().place(state.positions);
+        hold(from, state, shortest, stages);
     }
     eliminated().place(state.positions);
     eliminated().place(state.velocities);

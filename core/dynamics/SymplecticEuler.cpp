@@ -20,8 +20,10 @@ Result<StepReport> SymplecticEuler::advance(ParticleState& state, double duratio
     if (!parts) return tl::unexpected(parts.error());
     for (Stage* stage : stages) stage->beginStep(state, duration);
     const double h = duration / *parts;
+    std::vector<Vec3> from;
     for (int part = 0; part < *parts; ++part) {
         if (stop.stop_requested()) return fail(ErrorCode::cancelled, "The step was stopped.");
+        if (!stages.empty()) from = state.positions;
         accelerationsAt(state, h, gravity, stages, accelerations_);
         for (const int p : eliminated().free()) {
             Vec3& v = state.velocities[p];
@@ -30,6 +32,7 @@ Result<StepReport> SymplecticEuler::advance(ParticleState& state, double duratio
         }
         eliminated().place(state.positions);
         eliminated().place(state.velocities);
+        hold(from, state, h, stages);
     }
     return StepReport{.parts = *parts};
 }

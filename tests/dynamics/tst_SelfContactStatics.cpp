@@ -18,16 +18,44 @@ Vec3 randomStep(std::mt19937& random, double size) {
     return {any(random), any(random), any(random)};
 }
 
-/// Two cells one above the other, at a part of their thickness, shaken a little.
-Cloth pressedCells(double height, std::mt19937& random) {
+/// Two cells one above the other, at a part of their thickness, one turned by an angle.
+Cloth turnedCells(double height, double angle) {
     Cloth cloth;
     append(cloth, 0.01, 1, 0.01, 1, 0.3, [](const Vec2& m) { return Vec3{m.x, 0, -m.y}; });
     append(cloth, 0.01, 1, 0.01, 1, 0.3, [&](const Vec2& m) {
-        const Vec2 p = geometry::rotated(m, 0.4);
+        const Vec2 p = geometry::rotated(m, angle);
         return Vec3{p.x + 0.002, height, -p.y};
     });
+    return cloth;
+}
+
+/// The same, shaken a little.
+Cloth pressedCells(double height, std::mt19937& random, double angle = 0.4) {
+    Cloth cloth = turnedCells(height, angle);
     for (Vec3& p : cloth.state.positions) p += randomStep(random, 2e-5);
     return cloth;
+}
+
+std::vector<Vec3> forcesOn(Cloth& cloth) {
+    SelfContact contact(cloth.model, cloth.surface);
+    contact.beginIteration(cloth.state.positions);
+    std::vector<Vec3> forces(cloth.state.positions.size());
+    contact.addForces(cloth.state.positions, forces);
+    return forces;
+}
+
+/// With friction by the forces of the potential: what the first look finds is that of substeps before, of which there
+/// were none.
+void begin(SelfContact& contact, const std::vector<Vec3>& x) {
+    contact.fixFriction(x);
+    contact.fixFriction(x);
+    contact.beginIteration(x);
+}
+
+double largestOf(const std::vector<Vec3>& forces) {
+    double largest = 0;
+    for (const Vec3& f : forces) largest = std::max(largest, length(f));
+    return largest;
 }
 
 } // namespace
@@ -36,25 +64,34 @@ Cloth pressedCells(double height, std::mt19937& random) {
 class tst_SelfContactStatics : public QObject {
     Q_OBJECT
 private slots:
+    void theForceIsMinusTheGradientOfTheEnergy_data();
     void theForceIsMinusTheGradientOfTheEnergy();
+    void edgesThatPassThroughParallelAreNoKink();
+    void theEnergyIsOneFunctionUntilFrictionIsFixedAgain();
     void theForcesSumToZero();
     void theHessianIsTheCurvatureAcrossTheLayersAndNeverNegative();
     void theEnergyIsInfiniteWhereLayersWouldCross();
     void aSheetComesToRestOnAnother();
 };
 
+void tst_SelfContactStatics::theForceIsMinusTheGradientOfTheEnergy_data() {
+    QTest::addColumn<double>("angle");
+    QTest::addRow("askew") << 0.4;
+    QTest::addRow("edges nearly parallel") << 0.015;
+}
+
 void tst_SelfContactStatics::theForceIsMinusTheGradientOfTheEnergy() {
+    QFETCH(const double, angle);
     std::mt19937 random(5);
     for (int n = 0; n < 20; ++n) {
-        Cloth cloth = pressedCells(0.7 * thickness, random);
+        Cloth cloth = pressedCells(0.7 * thickness, random, angle);
         SelfContact contact(cloth.model, cloth.surface);
         std::vector<Vec3> x = cloth.state.positions;
-        contact.beginIteration(x);
+        begin(contact, x);
         for (Vec3& p : x) p += randomStep(random, n % 2 ? 2e-5 : 1e-4); // sticking and slipping
         std::vector<Vec3> forces(x.size());
         contact.addForces(x, forces);
-        double largest = 0;
-        for (const Vec3& f : forces) largest = std::max(largest, length(f));
+        const double largest = largestOf(forces);
         QVERIFY(largest > 0);
         for (std::size_t i = 0; i < x.size(); ++i)
             for (int axis = 0; axis < 3; ++axis) {
@@ -68,6 +105,35 @@ void tst_SelfContactStatics::theForceIsMinusTheGradientOfTheEnergy() {
                 QVERIFY(std::abs(forces[i][axis] + slope) < 1e-3 * largest);
             }
     }
+}
+
+/// The nearest points of two edges leap from end to end there.
+void tst_SelfContactStatics::edgesThatPassThroughParallelAreNoKink() {
+    Cloth one = turnedCells(0.5 * thickness, -1e-6), other = turnedCells(0.5 * thickness, 1e-6);
+    const std::vector<Vec3> before = forcesOn(one), after = forcesOn(other);
+    QVERIFY(largestOf(before) > 0);
+    for (std::size_t p = 0; p < before.size(); ++p)
+        QVERIFY2(geometry::distance(before[p], after[p]) < 0.01 * largestOf(before),
+                 qPrintable(QString::number(geometry::distance(before[p], after[p]) / largestOf(before))));
+}
+
+/// Else Newton would take for a bad step what is a change of the question.
+void tst_SelfContactStatics::theEnergyIsOneFunctionUntilFrictionIsFixedAgain() {
+    std::mt19937 random(9);
+    Cloth cloth = pressedCells(0.7 * thickness, random);
+    SelfContact contact(cloth.model, cloth.surface);
+    std::vector<Vec3> x = cloth.state.positions;
+    begin(contact, x);
+    for (int iteration = 0; iteration < 5; ++iteration) {
+        for (Vec3& p : x) p += randomStep(random, 2e-5);
+        const double energy = contact.energy(x);
+        QVERIFY(energy > 0);
+        contact.beginIteration(x);
+        QVERIFY(std::abs(contact.energy(x) - energy) < 1e-12 * energy);
+    }
+    const double before = contact.energy(x);
+    contact.fixFriction(x);
+    QVERIFY(std::abs(contact.energy(x) - before) > 1e-6 * before);
 }
 
 void tst_SelfContactStatics::theForcesSumToZero() {
@@ -94,7 +160,7 @@ void tst_SelfContactStatics::theHessianIsTheCurvatureAcrossTheLayersAndNeverNega
         Cloth cloth = pressedCells(0.7 * thickness, random);
         SelfContact contact(cloth.model, cloth.surface);
         const std::vector<Vec3>& x = cloth.state.positions;
-        contact.beginIteration(x);
+        begin(contact, x);
         fixtures::DenseSink sink(static_cast<int>(x.size()));
         contact.addHessian(x, sink);
         std::vector<double> v(3 * x.size());
