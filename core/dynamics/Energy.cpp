@@ -8,12 +8,18 @@
 
 namespace toile::dynamics {
 
-Energies energies(const cloth::ClothModel& model, const ParticleState& state, const Vec3& gravity) {
-    Energies e{.elastic = cloth::energy(model, state.positions)};
+Energies energiesOfMotion(const cloth::ClothModel& model, const ParticleState& state, const Vec3& gravity) {
+    Energies e;
     for (std::size_t p = 0; p < model.mass.size(); ++p) {
         e.kinetic += 0.5 * model.mass[p] * squaredLength(state.velocities[p]);
         e.gravity -= model.mass[p] * dot(gravity, state.positions[p]);
     }
+    return e;
+}
+
+Energies energies(const cloth::ClothModel& model, const ParticleState& state, const Vec3& gravity) {
+    Energies e = energiesOfMotion(model, state, gravity);
+    e.elastic = cloth::energy(model, state.positions);
     return e;
 }
 

@@ -12,6 +12,9 @@ struct Energies {
     [[nodiscard]] double total() const { return kinetic + gravity + elastic; }
 };
 
+/// Of speed and height alone.
+[[nodiscard]] Energies energiesOfMotion(const cloth::ClothModel& model, const ParticleState& state,
+                                        const Vec3& gravity);
 [[nodiscard]] Energies energies(const cloth::ClothModel& model, const ParticleState& state, const Vec3& gravity);
 
 /// Σ m v [kg·m/s].

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <utility>
 
 namespace toile::dynamics {
 namespace {
@@ -146,8 +147,8 @@ void Xpbd::workWith(Team* team) {
     data_->team = team;
 }
 
-void Xpbd::correctBy(CoarseLevels* levels) {
-    data_->levels = levels;
+CoarseLevels* Xpbd::correctBy(CoarseLevels* levels) {
+    return std::exchange(data_->levels, levels);
 }
 
 void Xpbd::setSettings(XpbdSettings settings) {

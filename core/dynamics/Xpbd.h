@@ -40,8 +40,8 @@ public:
                                     std::span<Stage* const> stages, std::stop_token stop = {});
 
     /// Levels that correct each substep between the sweep and the stages; null = none. They are borrowed and outlive
-    /// this.
-    void correctBy(CoarseLevels* levels);
+    /// this. Returns those so far.
+    CoarseLevels* correctBy(CoarseLevels* levels);
     /// Shares the work of a substep out, where it is much; null = alone. Borrowed. The bits are the same.
     void workWith(Team* team);
     void setSettings(XpbdSettings settings);

@@ -73,6 +73,13 @@ std::size_t Grips::bytes() const {
     return sum;
 }
 
+std::vector<int> Grips::particles() const {
+    std::vector<int> held;
+    for (const Hand& hand : hands_)
+        for (const Finger& finger : hand.fingers) held.push_back(finger.particle);
+    return held;
+}
+
 void Grips::beginStep(const dynamics::ParticleState& state, double duration) {
     endTime_ = state.time + duration;
     duration_ = duration;

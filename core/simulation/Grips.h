@@ -34,6 +34,7 @@ public:
     Grips(std::shared_ptr<const std::vector<Grip>> grips, const pattern::Pattern& pattern, const Garment& garment,
           std::span<const Vec3> positions);
 
+    [[nodiscard]] std::vector<int> particles() const; ///< that are held
     [[nodiscard]] std::string_view name() const override { return "hands"; }
     [[nodiscard]] std::size_t bytes() const override;
     void beginStep(const dynamics::ParticleState& state, double duration) override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/PlanOf.h"
 
+#include "core/dynamics/StrainLimit.h"
 #include "core/simulation/AirOf.h"
 #include "core/simulation/BodyContactOf.h"
 #include "core/simulation/SeamMeeting.h"
@@ -70,9 +71,18 @@ StepPlan planOf(const Scene& scene, const Garment& garment, const collision::Bod
         plan.add(std::make_unique<Tacks>(tacks, garment.particles, scene.settings.seamTime, garment.model.mass));
     else plan.leaveOut("tacks", scene.paper ? "the paper knows seams alone" : "the pattern has no tack");
 
-    if (!grips->empty() || isForced("hands"))
-        plan.add(std::make_unique<Grips>(std::move(grips), scene.pattern, garment, positions));
-    else plan.leaveOut("hands", "nobody holds the cloth");
+    const bool isHeld = !grips->empty();
+    std::vector<int> held;
+    if (isHeld || isForced("hands")) {
+        auto hands = std::make_unique<Grips>(std::move(grips), scene.pattern, garment, positions);
+        held = hands->particles();
+        plan.add(std::move(hands));
+    } else plan.leaveOut("hands", "nobody holds the cloth");
+
+    if (isForced("strain limit") || (isHeld && !scene.paper && !garment.model.structural.empty()))
+        plan.add(std::make_unique<dynamics::StrainLimit>(garment.model, held));
+    else if (!isHeld) plan.leaveOut("strain limit", "nobody holds the cloth");
+    else plan.leaveOut("strain limit", scene.paper ? "the paper's springs give" : "no woven piece");
 
     if (body) plan.add(bodyContactOf(scene, garment, *body, positions));
     else plan.leaveOut("body contact", "no body");

@@ -223,7 +223,7 @@ private:
         finish_ = Finish::underWay;
         publish({});
         const Frame rested = simulation_->frame();
-        const auto settled = simulation_->settle({}, stop);
+        const auto settled = simulation_->settle(finishing, stop);
         finish_ = Finish::none;
         if (!settled && settled.error().code == ErrorCode::cancelled) return publish({});
         const bool found = settled && settled->newton.converged;

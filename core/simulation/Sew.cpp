@@ -181,12 +181,21 @@ void warnOfHeldBackCloth(SewReport& result, const Simulation& simulation) {
 }
 
 void warnOfUnsolvedSteps(SewReport& result) {
-    for (const PhaseRun& phase : result.phases)
-        if (phase.unsolvedSteps > 0)
-            result.warnings.push_back(
-                {nameOf(phase.phase), fmt::format("{} frame steps by {} have parts that did not reach their tolerance "
-                                                  "and were taken as they were.",
-                                                  phase.unsolvedSteps, phase.method)});
+    for (const PhaseRun& phase : result.phases) {
+        if (phase.unsolvedSteps == 0) continue;
+        const bool byPositions = phase.method == dynamics::nameOf(dynamics::Method::xpbd);
+        result.warnings.push_back(
+            {nameOf(phase.phase),
+             fmt::format("{} frame steps by {} {} and were taken as they were.", phase.unsolvedSteps, phase.method,
+                         byPositions ? "gained energy that nothing gave them"
+                                     : "have parts that did not reach their tolerance")});
+    }
+}
+
+void tellOfSleep(SewReport& result) {
+    if (result.sleptSeconds > 0)
+        result.leftOut.push_back(
+            {"frame steps", fmt::format("of {:.1f} s: nothing had moved for a second", result.sleptSeconds)});
 }
 
 /// What only a look at the whole result can tell.
@@ -259,6 +268,7 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     result.gravityEnergy = energies.gravity;
     result.elasticEnergy = energies.elastic;
     result.simulatedSeconds = simulation.state().time;
+    result.sleptSeconds = simulation.sleptTime();
     result.steps = simulation.steps();
     result.substeps = simulation.substeps();
     result.peakBytes = peakBytes();
@@ -266,6 +276,7 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     for (const StepPlan::StageCost& cost : simulation.stageCosts())
         result.stages.push_back({cost.name, cost.seconds, cost.bytes});
     result.leftOut = simulation.plan().leftOut();
+    tellOfSleep(result);
     result.cpuSeconds = processSeconds() - cpuStart;
     result.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wallStart).count();
     return result;

@@ -15,7 +15,7 @@ struct SewSettings {
     double hold = 10;              ///< a garment without a neck opening goes on for so long after rest: a band that
                                    ///< slides may do so slowly [s]
     bool finish = true;            ///< statics after rest
-    dynamics::StaticSettings statics;
+    dynamics::StaticSettings statics = finishing;
     WornSettings worn;
 };
 
@@ -62,7 +62,8 @@ struct SewReport {
     StrainSummary strain;
     CurvatureSummary curvature;
     double simulatedSeconds = 0, cpuSeconds = 0, wallSeconds = 0;
-    double heldSeconds = 0; ///< of them after rest, to see whether a waistband stays [s]
+    double heldSeconds = 0;  ///< of them after rest, to see whether a waistband stays [s]
+    double sleptSeconds = 0; ///< of them in which nothing moved, so that nothing was computed [s]
     int steps = 0, substeps = 0;
     bool atRest = false;            ///< in a scene of the paper by speed alone: its explicit steps find no equilibrium
     std::optional<double> residual; ///< largest unbalanced force over the mean particle weight [–]

@@ -127,6 +127,7 @@ Json toJson(const SewReport& report) {
     curvature.set("rms", report.curvature.rms).set("alternating", report.curvature.alternating);
     json.set("curvature", curvature);
     json.set("simulatedSeconds", report.simulatedSeconds).set("heldSeconds", report.heldSeconds);
+    json.set("sleptSeconds", report.sleptSeconds);
     json.set("cpuSeconds", report.cpuSeconds).set("wallSeconds", report.wallSeconds);
     json.set("steps", report.steps).set("substeps", report.substeps);
     json.set("atRest", report.atRest).set("ending", report.ending).set("residual", numberOrNull(report.residual));

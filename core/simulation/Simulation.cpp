@@ -129,6 +129,7 @@ void Simulation::rebuildPlan() {
             if (a != b) pairs.push_back({a, b, seamGaps_[seam][k], seamStart_[seam]});
         }
     }
+    stillTime_ = 0;
     addCosts(formerCosts_, plan_.costs());
     Scene now = scene_;
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
@@ -145,6 +146,7 @@ void Simulation::rebuildPlan() {
     planSubsteps();
     integrator_.reset();
     calmingFrames_ = 0;
+    planEnergyWatch();
     if (phase_ == Phase::sewing || !drapingMethod_ || *drapingMethod_ == dynamics::Method::xpbd) return;
     if (!phases_.empty() && phases_.back().method == dynamics::nameOf(dynamics::Method::xpbd)) calmingFrames_ = calming;
     integrator_ = integratorOf(calmingFrames_ > 0 ? dynamics::Method::backwardEuler : *drapingMethod_);
@@ -158,12 +160,12 @@ void Simulation::planSubsteps() {
                     : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
                                             loadOf(scene_));
     const int levels = coarseLevelsFor(substeps_);
-    plannedLevels_ = levelsMayHelp();
+    plannedLevels_ = false;
     if (sewing) plan_.leaveOut("coarse levels", "cloth that yields sews well");
     else if (scene_.settings.substeps > 0) plan_.leaveOut("coarse levels", "the scene says how many substeps");
     else if (drapingMethod_ != dynamics::Method::xpbd) plan_.leaveOut("coarse levels", "no position-based steps");
     else if (levels == 0) plan_.leaveOut("coarse levels", fmt::format("{} substeps suffice", substeps_));
-    else if (!plannedLevels_) plan_.leaveOut("coarse levels", "only while a garment falls into its place");
+    else if (!levelsMayHelp()) plan_.leaveOut("coarse levels", "only while a garment falls into its place");
     else correctByLevels(levels);
     if (!grips_->empty() && scene_.settings.substeps == 0) substeps_ = std::max(substeps_, handSubsteps);
     if (sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
@@ -183,6 +185,7 @@ void Simulation::correctByLevels(int levels) {
     if (!whyNoLevels_.empty()) return plan_.leaveOut("coarse levels", whyNoLevels_);
     levels_->forget(); // so does one that is resumed here
     xpbd_->correctBy(levels_.get());
+    plannedLevels_ = true;
     substeps_ = (substeps_ + (1 << levels) - 1) >> levels;
 }
 
@@ -223,7 +226,7 @@ void Simulation::force(std::vector<std::string> stages) {
 
 void Simulation::hold(std::vector<Grip> grips) {
     if (*grips_ == grips) return;
-    restingTime_ = 0;
+    restingTime_ = stillTime_ = 0;
     if (std::ranges::equal(*grips_, grips, &Grip::samePlace)) {
         *grips_ = std::move(grips);
         return;
@@ -234,10 +237,7 @@ void Simulation::hold(std::vector<Grip> grips) {
 
 Result<dynamics::StepReport> Simulation::moveCloth(double duration, std::stop_token stop) {
     if (integrator_) return integrator_->step(state_, duration, gravity(), plan_.stages(), stop);
-    if (motion_) return moveBesideBody(duration, stop);
-    if (auto done = xpbd_->step(state_, duration, substeps_, gravity(), plan_.stages(), stop); !done)
-        return tl::unexpected(done.error());
-    return dynamics::StepReport{.parts = substeps_};
+    return motion_ ? moveBesideBody(duration, stop) : moveByPositions(duration, stop);
 }
 
 void Simulation::note(double duration, const dynamics::StepReport& step) {
@@ -252,6 +252,10 @@ void Simulation::note(double duration, const dynamics::StepReport& step) {
 Result<void> Simulation::advance(std::stop_token stop) {
     const auto start = std::chrono::steady_clock::now();
     const double duration = scene_.settings.frameStep;
+    if (isAsleep()) {
+        sleepFor(duration);
+        return {};
+    }
     const dynamics::ParticleState before = state_;
     const auto stepped = moveCloth(duration, stop);
     if (!stepped) {
@@ -267,7 +271,9 @@ Result<void> Simulation::advance(std::stop_token stop) {
     holdClosedTacks();
     if (!closingSeams().empty() || closingTacks() > 0 || restingTime_ >= longEnough) goesOnAsItLay_ = false;
     goOnDressing();
-    restingTime_ = speeds.areOfRest() && phase_ == Phase::draping && !motion_ ? restingTime_ + duration : 0;
+    const bool isLeftAlone = phase_ == Phase::draping && !motion_;
+    restingTime_ = isLeftAlone && speeds.areOfRest() ? restingTime_ + duration : 0;
+    stillTime_ = isLeftAlone && speeds.areStill() ? stillTime_ + duration : 0;
     if (motion_) noteBody();
     stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     allSeconds_ += stepSeconds_;

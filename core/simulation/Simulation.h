@@ -6,6 +6,7 @@
 #include "core/collision/BodySurface.h"
 #include "core/collision/MovingSurface.h"
 #include "core/dynamics/CoarseLevels.h"
+#include "core/dynamics/EnergyWatch.h"
 #include "core/dynamics/Method.h"
 #include "core/dynamics/Statics.h"
 #include "core/dynamics/Xpbd.h"
@@ -56,6 +57,9 @@ struct DressingSettings {
     int sewingSubsteps = 20;     ///< of a frame step at most, while seams close: yielding cloth sews well
 };
 inline constexpr DressingSettings dressing;
+
+/// Statics of a garment. Layers that lie folded on each other take the most iterations.
+inline constexpr dynamics::StaticSettings finishing{.maximumIterations = 600};
 
 /// When a seam becomes one row of particles (docs/physics/seams.md).
 struct MergeRule {
@@ -142,6 +146,8 @@ public:
     [[nodiscard]] double largestSpeed() const { return largestSpeed_; }
     /// How long the cloth has been of rest (Speeds) with no seam closing [s].
     [[nodiscard]] double restingTime() const { return restingTime_; }
+    /// Of the clock, in which the cloth slept: nothing drove it and nothing had moved for a second [s].
+    [[nodiscard]] double sleptTime() const { return sleptTime_; }
 
     /// Positions of all nodes, as the topology numbers them.
     [[nodiscard]] std::vector<Vec3> nodePositions() const;
@@ -155,6 +161,10 @@ private:
     void standStill();
     void noteBody();
     [[nodiscard]] Result<dynamics::StepReport> moveBesideBody(double duration, std::stop_token stop);
+    void planEnergyWatch();
+    [[nodiscard]] Result<dynamics::StepReport> moveByPositions(double duration, std::stop_token stop);
+    [[nodiscard]] bool isAsleep() const;
+    void sleepFor(double duration);
     void planSubsteps();
     [[nodiscard]] Team* teamWorthWaking() const; ///< null: the cloth is too small to share
     [[nodiscard]] Result<void> drawTaut(std::stop_token stop);
@@ -192,6 +202,7 @@ private:
     std::unique_ptr<dynamics::CoarseLevels> levels_; ///< of this garment; null until they are needed
     std::string whyNoLevels_;                        ///< it has none; empty = it has, or none were asked for
     std::unique_ptr<dynamics::Xpbd> xpbd_;
+    std::unique_ptr<dynamics::EnergyWatch> energyWatch_; ///< null where something drives the cloth, or other methods do
     std::optional<dynamics::Method> drapingMethod_ = dynamics::Method::xpbd;
     std::unique_ptr<dynamics::Integrator> integrator_; ///< while another method than XPBD is at work
     int calmingFrames_ = 0;                            ///< left
@@ -204,9 +215,10 @@ private:
     bool goesOnAsItLay_ = false; ///< after an edit of a garment that lay: dressed as long as its seams close at once
     double sewnTime_ = 0;        ///< when the last seam was closed or given up [s]
     double plannedDamping_ = 0;  ///< that of the plan [1/s]
-    bool plannedLevels_ = false; ///< levelsMayHelp() as it was planned
+    bool plannedLevels_ = false; ///< the plan has coarse levels
     int substeps_ = 0, steps_ = 0;
     double largestSpeed_ = 0, restingTime_ = 0;
+    double stillTime_ = 0, sleptTime_ = 0;         ///< since when nothing moves; how long nothing was computed [s]
     double stepSeconds_ = 0, allSeconds_ = 0;      ///< wall time of the last frame step, of all
     std::vector<StepPlan::StageCost> formerCosts_; ///< of plans that were replaced
 };

@@ -137,7 +137,7 @@ void Simulation::goOnDressing() {
     if (due != phase_ && phase_ == Phase::sewing)
         sewnTime_ = goesOnAsItLay_ ? longSewn(state_.time) : state_.time; // what lay needs no levels to fall
     if (due == phase_ && closingSeams().size() + closingTacks() == closing && damping() == plannedDamping_ &&
-        levelsMayHelp() == plannedLevels_)
+        !(plannedLevels_ && !levelsMayHelp()))
         return;
     phase_ = due;
     rebuildPlan();

@@ -34,6 +34,7 @@ Result<dynamics::StaticReport> Simulation::settle(const dynamics::StaticSettings
                                                   const Progress& progress) {
     if (motion_) return fail(ErrorCode::invalidInput, "Beside a body that moves there is no equilibrium.");
     const dynamics::ParticleState before = state_;
+    stillTime_ = 0;
     if (const auto taut = settings.maximumIterations > 0 ? drawTaut(stop) : Result<void>(); !taut) {
         state_ = before;
         return tl::unexpected(taut.error());

@@ -11,21 +11,6 @@ using geometry::VertexMotion;
 
 namespace {
 
-/// A sheet that falls on the table.
-Scene sheetOnTable() {
-    Scene scene;
-    scene.pattern.fabrics.push_back(plainCloth());
-    pattern::Piece piece = polygonPiece("sheet", {{0, 0}, {0.3, 0}, {0.3, 0.3}, {0, 0.3}}, 0.03);
-    piece.placement = pattern::Placement{};
-    piece.placement->transform.origin = {-0.15, 0.51, 0.15};
-    piece.placement->transform.axisX = {1, 0, 0};
-    piece.placement->transform.axisY = {0, 0, -1};
-    piece.placement->transform.axisZ = {0, 1, 0};
-    scene.pattern.pieces.push_back(Shared<pattern::Piece>(std::move(piece)));
-    scene.body = Shared<body::Body>(box());
-    return scene;
-}
-
 /// The table is pushed to the right and back and lifted, in so many seconds.
 std::shared_ptr<const VertexMotion> pushed(const Scene& scene, const Vec3& way, double seconds) {
     const std::vector<Vec3>& vertices = (*scene.body)->mesh.vertices;

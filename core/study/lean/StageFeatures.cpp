@@ -100,6 +100,25 @@ Feature hands(double spacing) {
              {Role::inUse, "one hand", sheet, 0, {}, grips}}};
 }
 
+Feature strainLimit(double spacing) {
+    const Scene sheet = heldSheet(spacing);
+    const std::vector<Grip> grips{{.piece = "sheet", .material = {0.15, 0.05}, .target = {0.15, 0.5, 0}}};
+    return {"strain limit",
+            "strain limit",
+            {{Role::absent, "nobody holds the cloth", sheet},
+             {Role::forced, "nobody, built all the same", sheet, 0, {"strain limit"}},
+             {Role::inUse, "one hand that pulls", sheet, 0, {}, grips}}};
+}
+
+Feature energyWatch(double spacing) {
+    const Scene sheet = heldSheet(spacing);
+    const std::vector<Grip> grips{{.piece = "sheet", .material = {0.15, 0.05}, .target = {0.15, 1.1, 0}}};
+    return {
+        "energy watch",
+        "energy watch",
+        {{Role::absent, "a hand does work", sheet, -1, {}, grips}, {Role::inUse, "nothing drives the cloth", sheet}}};
+}
+
 Scene inAir(Scene scene, const simulation::Air& air) {
     scene.settings.air = air;
     return scene;
@@ -129,8 +148,9 @@ Feature pressure(double spacing) {
 } // namespace
 
 std::vector<Feature> stageFeatures(double spacing) {
-    return {wind(spacing),  pressure(spacing),    seams(spacing),         tacks(spacing),
-            hands(spacing), bodyContact(spacing), seamsThatMeet(spacing), selfContact(spacing)};
+    return {wind(spacing),          pressure(spacing),    seams(spacing),       tacks(spacing),
+            hands(spacing),         strainLimit(spacing), energyWatch(spacing), bodyContact(spacing),
+            seamsThatMeet(spacing), selfContact(spacing)};
 }
 
 } // namespace toile::study::lean

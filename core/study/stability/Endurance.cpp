@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/Statics.h"
+#include "core/geometry/Shapes.h"
+#include "core/simulation/Simulation.h"
+#include "core/study/Calibration.h"
 #include "core/study/Scenes.h"
 #include "core/study/stability/Cases.h"
+#include "core/study/validation/Pieces.h"
 #include "core/study/validation/Sheets.h"
 
 #include <algorithm>
@@ -22,7 +26,7 @@ double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 }
 
 /// A sheet that hangs by two corners, brought to rest by the method itself where it is not that of statics.
-Findings s23AtRest(const Effort& effort) {
+Findings hangingAtRest(const Effort& effort) {
     Findings found;
     const int steps = effort.quick ? 5000 : 100000;
     for (const Method method : {Method::trBdf2, Method::symplecticEuler, Method::xpbd}) {
@@ -53,6 +57,47 @@ Findings s23AtRest(const Effort& effort) {
             row = tested(row.number, row.what, drift <= 1e-6, "More than 1e-6 m.", row.metrics);
         found.rows.push_back(std::move(row));
     }
+    return found;
+}
+
+/// A sheet that is let down on a table.
+simulation::Scene sheetOnTable() {
+    simulation::Scene scene;
+    scene.pattern.fabrics.push_back(validation::plainCloth());
+    pattern::Piece sheet = validation::polygonPiece("sheet", {{0, 0}, {0.3, 0}, {0.3, 0.3}, {0, 0.3}}, 0.03);
+    sheet.placement = pattern::Placement{};
+    sheet.placement->transform = {.axisX = {1, 0, 0}, .axisY = {0, 0, -1}, .axisZ = {0, 1, 0}};
+    sheet.placement->transform.origin = {-0.15, 0.01, 0.15};
+    scene.pattern.pieces.push_back(std::move(sheet));
+    body::Body table;
+    table.mesh = geometry::box({-0.5, -0.5, -0.5}, {0.5, 0, 0.5});
+    scene.body = Shared<body::Body>(std::move(table));
+    return scene;
+}
+
+/// What lies still on a body sleeps, and from then on no bit of it changes.
+Row asleep(int steps) {
+    const double start = threadSeconds();
+    auto made = simulation::Simulation::create(sheetOnTable());
+    std::string why = made ? "" : made.error().text;
+    std::vector<Vec3> whereItSlept;
+    int awake = 0;
+    for (int step = 0; step < steps && why.empty(); ++step) {
+        const double sleptBefore = made->sleptTime();
+        if (const auto advanced = made->advance(); !advanced) why = advanced.error().text;
+        else if (made->sleptTime() == sleptBefore) ++awake;
+        else if (whereItSlept.empty()) whereItSlept = made->state().positions;
+    }
+    if (why.empty() && whereItSlept.empty()) why = "It never sleeps.";
+    const double drift = why.empty() ? farthest(whereItSlept, made->state().positions) : 0;
+    if (drift > 0) why = "It moved again.";
+    return tested("S23", fmt::format("{} frame steps on a table, asleep after {}: drift {:g} m", steps, awake, drift),
+                  why.empty(), why, {.seconds = threadSeconds() - start});
+}
+
+Findings s23AtRest(const Effort& effort) {
+    Findings found = hangingAtRest(effort);
+    found.rows.push_back(asleep(effort.quick ? 5000 : 100000));
     return found;
 }
 
