@@ -46,10 +46,10 @@ Share shareOf(const collision::ElementPair& pair, std::span<const Vec3> position
     const auto& v = pair.vertices;
     const Vec3 a = positions[v[1]] - positions[v[0]], b = positions[v[3]] - positions[v[2]];
     const double aa = squaredLength(a), bb = squaredLength(b), ab = dot(a, b);
-    const double s = aa > 0 && bb > 0 ? std::max(0.0, 1 - ab * ab / (aa * bb)) : 0;
+    if (!(aa > 0 && bb > 0)) return {.value = 0};
+    const double s = std::max(0.0, 1 - ab * ab / (aa * bb));
     if (s >= whole) return {};
     const double part = s / whole, slope = 2 * (1 - part) / whole;
-    if (!(aa > 0 && bb > 0)) return {.value = 0};
     const Vec3 byA = (2 * slope * ab / (aa * bb)) * ((ab / aa) * a - b),
                byB = (2 * slope * ab / (aa * bb)) * ((ab / bb) * b - a);
     return {part * (2 - part), {-byA, byA, -byB, byB}};

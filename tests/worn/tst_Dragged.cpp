@@ -41,7 +41,7 @@ void tst_Dragged::aBlouseDraggedByTheHemRestsInTheHandAndGoesBackAfterwards() {
                        .material = front.material[lowest],
                        .target = before + Vec3{0.25, -0.1, 0.1}}});
     const double strain = run(*simulation, 4);
-    QVERIFY2(strain < 0.3, qPrintable(QString::number(strain))); // 1.5 without a strain limit
+    QVERIFY2(strain < 0.3, qPrintable(QString::number(strain)));
     QVERIFY2(distance(place(), before) > 0.1, qPrintable(QString::number(distance(place(), before))));
     QVERIFY2(simulation->largestSpeed() < 0.005, qPrintable(QString::number(simulation->largestSpeed())));
 
