@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -127,6 +128,7 @@ private:
 
     // SelfContactNeighbours.cpp
     void prepareSearch(std::span<const Vec3> positions);
+    [[nodiscard]] std::set<collision::ElementPair> crossedPairs() const;
     [[nodiscard]] bool watch(const collision::SelfProximity::Pairs& pairs, std::span<const Vec3> positions);
     [[nodiscard]] bool isIgnored(const collision::ElementPair& pair) const;
     [[nodiscard]] Contact contactOf(const collision::ElementPair& pair) const;
@@ -156,10 +158,12 @@ private:
     void placeSlaves(std::span<Vec3> positions) const;
 
     // SelfContactCrossings.cpp
-    [[nodiscard]] Vec3 orderlyWay(const collision::Piercing& piercing, const Vec3& normal) const;
+    [[nodiscard]] Vec3 normalOf(int triangle, std::span<const Vec3> positions) const;
+    [[nodiscard]] Vec3 orderlyWay(const collision::Piercing& piercing, const Vec3& normal,
+                                  std::span<const Vec3> positions) const;
     [[nodiscard]] Vec3 shorteningWay(const collision::Piercing& piercing, const Vec3& normal,
                                      std::span<const Vec3> positions) const;
-    void findLayersOfEdges();
+    void findTrianglesOfEdges();
     void seekPiercings(std::span<const Vec3> positions);
     void uncross(Substep& substep) const;
 
@@ -198,8 +202,8 @@ private:
     double awakeDone_ = 0,
            awakeStrayed_ = 0; ///< up to which part of the ways, and so far from them [m], the others have not
     std::vector<collision::Piercing> piercings_;
-    std::vector<int> edgeLayers_; ///< of each edge; −1 = of two. Empty where layers are all alike
-    bool mayPierce_ = true;       ///< until a search has found no piercing
+    std::vector<std::array<int, 2>> edgeTriangles_; ///< beside each edge, alike at a border; none if layers are alike
+    bool mayPierce_ = true;                         ///< until a search has found no piercing
     std::vector<Vec3> from_,
         moves_;                         ///< where particles were when neighbours were sought, the ways foreseen [m]
     double fromTime_ = 0, horizon_ = 0; ///< when that was, how long the ways take [s]

@@ -27,26 +27,36 @@ std::vector<Vec3> SelfContact::crossingPlaces(std::span<const Vec3> positions) c
     return places;
 }
 
-void SelfContact::findLayersOfEdges() {
-    std::map<std::array<int, 2>, int> layers;
+void SelfContact::findTrianglesOfEdges() {
+    std::map<std::array<int, 2>, std::array<int, 2>> triangles;
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
             const int a = surface_.triangles[t][k], b = surface_.triangles[t][(k + 1) % 3];
-            const auto [edge, isNew] = layers.try_emplace({std::min(a, b), std::max(a, b)}, surface_.layers[t]);
-            if (!isNew && edge->second != surface_.layers[t]) edge->second = -1;
+            const auto triangle = static_cast<int>(t);
+            const auto [edge, isNew] =
+                triangles.try_emplace({std::min(a, b), std::max(a, b)}, std::array{triangle, triangle});
+            if (!isNew) edge->second[1] = triangle;
         }
-    edgeLayers_.clear();
+    edgeTriangles_.clear();
     for (const collision::SurfaceEdge& edge : proximity_->edges())
-        edgeLayers_.push_back(
-            layers.at({std::min(edge.vertices[0], edge.vertices[1]), std::max(edge.vertices[0], edge.vertices[1])}));
+        edgeTriangles_.push_back(
+            triangles.at({std::min(edge.vertices[0], edge.vertices[1]), std::max(edge.vertices[0], edge.vertices[1])}));
 }
 
-/// The edge of a higher layer goes to the right side of the triangle, that of a lower one to the other; nowhere where
-/// neither is higher.
-Vec3 SelfContact::orderlyWay(const collision::Piercing& piercing, const Vec3& normal) const {
-    if (edgeLayers_.empty() || edgeLayers_[piercing.edge] < 0) return {};
-    const int higher = edgeLayers_[piercing.edge] - surface_.layers[piercing.triangle];
-    return normal * (higher > 0 ? 1.0 : higher < 0 ? -1.0 : 0.0);
+Vec3 SelfContact::normalOf(int triangle, std::span<const Vec3> x) const {
+    const auto& [a, b, c] = surface_.triangles[triangle];
+    return normalized(cross(x[b] - x[a], x[c] - x[a]));
+}
+
+/// The higher goes to the right side of the lower, whichever side of its own it turns to it: a collar lies face to face
+/// on its stand. Nowhere where neither is higher.
+Vec3 SelfContact::orderlyWay(const collision::Piercing& piercing, const Vec3& normal, std::span<const Vec3> x) const {
+    if (edgeTriangles_.empty()) return {};
+    const auto& [first, second] = edgeTriangles_[piercing.edge];
+    if (surface_.layers[first] != surface_.layers[second]) return {};
+    const int higher = surface_.layers[first] - surface_.layers[piercing.triangle];
+    if (higher >= 0) return higher > 0 ? normal : Vec3{};
+    return dot(normalOf(first, x) + normalOf(second, x), normal) > 0 ? -normal : normal;
 }
 
 Vec3 SelfContact::shorteningWay(const collision::Piercing& piercing, const Vec3& normal,
@@ -78,8 +88,8 @@ void SelfContact::uncross(Substep& substep) const {
         const auto& corners = proximity_->triangles()[piercing.triangle];
         const Vec3 &a = x[corners[0]], &b = x[corners[1]], &c = x[corners[2]];
         if (!collision::segmentPierces(x[p], x[q], a, b, c)) continue;
-        const Vec3 normal = normalized(cross(b - a, c - a));
-        Vec3 shortening = orderlyWay(piercing, normal); // where the edge should go
+        const Vec3 normal = normalOf(piercing.triangle, x);
+        Vec3 shortening = orderlyWay(piercing, normal, x); // where the edge should go
         if (shortening == Vec3{}) shortening = shorteningWay(piercing, normal, x);
         const double size = length(shortening);
         if (!(size > 1e-6) || !std::isfinite(size)) continue; // the line would not become shorter

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 /// Which pairs of elements are near, and for how long that list holds.
 namespace toile::dynamics {
@@ -17,6 +18,16 @@ using collision::Separation;
 
 /// Part of the distance at rest that compressed cloth may fall to before its own parts push each other [–].
 constexpr double usedRoom = 0.5;
+
+/// One of all ways to name a pair.
+ElementPair inOrder(ElementPair pair) {
+    auto& v = pair.vertices;
+    std::sort(v.begin() + pair.firstCount, v.end());
+    if (pair.firstCount == 1) return pair;
+    if (v[0] > v[1]) std::swap(v[0], v[1]);
+    if (v[0] > v[2]) v = {v[2], v[3], v[0], v[1]};
+    return pair;
+}
 
 } // namespace
 
@@ -106,9 +117,22 @@ void SelfContact::standStill(Substep& substep) {
 void SelfContact::prepareSearch(std::span<const Vec3> positions) {
     if (!proximity_) {
         proximity_.emplace(surface_.triangles, positions);
-        if (!surface_.layers.empty()) findLayersOfEdges();
+        if (!surface_.layers.empty()) findTrianglesOfEdges();
     }
     if (mayPierce_) seekPiercings(positions);
+}
+
+/// What an edge that pierces a triangle must pass to come out of it: the triangle's sides, or its corners the triangle.
+std::set<ElementPair> SelfContact::crossedPairs() const {
+    std::set<ElementPair> pairs;
+    for (const auto& [edge, triangle] : piercings_) {
+        const auto& [p, q] = proximity_->edges()[edge].vertices;
+        const auto& [a, b, c] = proximity_->triangles()[triangle];
+        for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}})
+            pairs.insert(inOrder({{p, q, from, to}, 2}));
+        for (const int end : {p, q}) pairs.insert(inOrder({{end, a, b, c}, 1}));
+    }
+    return pairs;
 }
 
 /// Watches these pairs from now on, unless they were too many.
@@ -117,11 +141,7 @@ bool SelfContact::watch(const collision::SelfProximity::Pairs& pairs, std::span<
         ++shortSearches_;
         return false;
     }
-    std::vector<char> crossed(positions.size(), 0);
-    for (const auto& [edge, triangle] : piercings_) {
-        for (const int p : proximity_->edges()[edge].vertices) crossed[p] = 1;
-        for (const int p : proximity_->triangles()[triangle]) crossed[p] = 1;
-    }
+    const std::set<ElementPair> crossed = crossedPairs();
     std::map<ElementPair, double> pressed;
     for (std::size_t i = 0; i < watches_.size(); ++i)
         if (contacts_[i].normalForce > 0) pressed.emplace(watches_[i].elements, contacts_[i].normalForce);
@@ -131,7 +151,7 @@ bool SelfContact::watch(const collision::SelfProximity::Pairs& pairs, std::span<
     watches_.reserve(pairs->size());
     contacts_.reserve(pairs->size());
     for (const auto& [pair, distance] : *pairs) {
-        if (std::ranges::all_of(pair.vertices, [&](int p) { return crossed[p]; }) || isIgnored(pair)) continue;
+        if (isIgnored(pair) || (!crossed.empty() && crossed.contains(inOrder(pair)))) continue;
         watches_.push_back({pair, targetOf(pair), distance, distance, distance});
         contacts_.push_back(contactOf(pair));
         if (const auto known = pressed.find(pair); known != pressed.end()) contacts_.back().normalForce = known->second;

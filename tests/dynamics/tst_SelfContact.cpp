@@ -194,15 +194,23 @@ void tst_SelfContact::layersThatHaveCrossedAreDrawnApart() {
 void tst_SelfContact::crossedPiecesGoToTheSidesOfTheirLayers_data() {
     QTest::addColumn<int>("left");
     QTest::addColumn<int>("right");
-    QTest::newRow("left over right") << 1 << 0;
-    QTest::newRow("right over left") << 0 << 3;
+    QTest::addColumn<bool>("leftTurned");
+    QTest::addColumn<bool>("leftAbove");
+    QTest::newRow("left over right") << 1 << 0 << false << true;
+    QTest::newRow("right over left") << 0 << 3 << false << false;
+    QTest::newRow("left over right, face to face") << 1 << 0 << true << true;
+    QTest::newRow("right over left, whose right side looks down") << 0 << 1 << true << true;
 }
 
 void tst_SelfContact::crossedPiecesGoToTheSidesOfTheirLayers() {
     QFETCH(int, left);
     QFETCH(int, right);
+    QFETCH(bool, leftTurned);
+    QFETCH(bool, leftAbove);
     Cloth cloth = crossedSheets(); // their right sides look upwards
     const std::size_t half = cloth.surface.triangles.size() / 2;
+    if (leftTurned)
+        for (std::size_t t = 0; t < half; ++t) std::swap(cloth.surface.triangles[t][0], cloth.surface.triangles[t][1]);
     cloth.surface.layers.assign(half, left);
     cloth.surface.layers.resize(2 * half, right);
     Run run(cloth, 10);
@@ -217,7 +225,7 @@ void tst_SelfContact::crossedPiecesGoToTheSidesOfTheirLayers() {
         return sum / count;
     };
     const int middle = cloth.model.particleCount() / 2, all = cloth.model.particleCount();
-    QVERIFY((heightOf(0, middle) > heightOf(middle, all)) == (left > right));
+    QVERIFY((heightOf(0, middle) > heightOf(middle, all)) == leftAbove);
 }
 
 void tst_SelfContact::whatASeamWillBringTogetherIsNotPushed() {
