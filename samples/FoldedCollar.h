@@ -9,9 +9,9 @@ namespace toile::samples {
 
 /// Lengths [m].
 struct FoldedCollarSettings {
-    double height = 0.045;      ///< behind
+    double height = 0.05;       ///< behind
     double pointLength = 0.012; ///< by which the points before stand out farther
-    double flare = 0.045;       ///< outer edge longer than the seam: it lies on the shoulders
+    double flare = 0.055;       ///< outer edge longer than the seam: it lies on the shoulders
     double foldAngle = 2.97;    ///< pressed into the seam with the stand [rad]
     double spacing = 0.01;      ///< ε_m
 };

@@ -77,6 +77,7 @@ Result<ShirtTorso> draftTorso(const body::Measurements& m, const body::Body& bod
     const auto divided = dividedAt(-(f.backNeckDepth + s.yokeDepth), block->back);
     torso.back.outline = contourOf("back", wholeFromHalf(divided.back, "yoke-centre", "-right", "-left"));
     torso.yoke.outline = contourOf("yoke", wholeFromHalf(divided.yoke, "neck-centre", "-right", "-left"));
+    torso.yoke.plies = 2; // the fronts' and the back's seam allowances lie between them
     const NotchDistances at;
     torso.frontLeft.notches = {armholeNotch(torso.frontLeft, "armhole", at.front, true, false)};
     torso.back.notches = {armholeNotch(torso.back, "armhole-right", at.back, true, true),

@@ -11,12 +11,13 @@
 namespace toile::samples {
 
 /// A shirt of poplin, buttoned right over left: two fronts with a bust dart and a button stand each, a back with a
-/// yoke, seven-eighths sleeves with cuffs, a collar folded over its stand. Collar, stand and cuffs are interfaced.
-/// Lengths [m].
+/// double yoke, seven-eighths sleeves with cuffs, a collar folded over its stand. Collar, stand and cuffs are
+/// interfaced. Lengths [m].
 struct ShirtSettings {
     double spacing = 0.02; ///< ε_m of every piece but stand and collar
     UpperBlockSettings block{.bustEase = 0.12,
                              .hipEase = 0.10,
+                             .neckGap = 0.006, // a buttoned collar that is wider slides off the middle
                              .waistSuppression = 0.010,
                              .armholeDepth = 0.21,
                              .backShortening = 0.006,
