@@ -14,6 +14,8 @@ namespace {
 
 /// Overlaps deeper than this are led out at the bounded speed and no faster [m].
 constexpr double deepOverlap = 0.001;
+/// What slips by more in a substep is stopped where it is met: flung cloth would be overrun by a limb before [m].
+constexpr double fastSlip = 2.5e-4;
 /// Samples in a thread's part at least: where none asks the body, they take some microseconds.
 constexpr int leastAlone = 1000;
 
@@ -97,7 +99,8 @@ double BodyContact::largestFrequencySquared() const {
 
 std::size_t BodyContact::bytes() const {
     return terms_.capacity() * sizeof(Term) + samples_.capacity() * sizeof(Sample) +
-           (blends_.capacity() + alone_.capacity()) * sizeof(int) + tracker_.bytes() +
+           (blends_.capacity() + alone_.capacity()) * sizeof(int) + mayCancel_.capacity() * sizeof(double) +
+           pushed_.capacity() * sizeof(Vec3) + tracker_.bytes() +
            (pushing_ ? sizeof(Pushing) + pushing_->distance.bytes() +
                            pushing_->patches.capacity() * sizeof(collision::SmoothDistance::Patch) +
                            pushing_->anchors.capacity() * sizeof(Vec3) + pushing_->near.capacity() * sizeof(int)
@@ -108,12 +111,25 @@ void BodyContact::project(Substep& substep) {
     if (pushing_) pushing_->anchors.clear();
     if (motion_) follow(substep.time);
     const ContactPace pace(substep.duration, settings_.pushOutTime, settings_.pushOutSpeed);
-    // Particles come last: where samples between them have pushed them aside their own friction must still hold them.
-    // The other way round a tight band creeps round its body.
+    mayCancel_.assign(substep.positions.size(), 0);
+    pushed_.resize(substep.positions.size());
     for (const int s : blends_) meet(s, pace, substep);
     inParts(substep.team, static_cast<int>(alone_.size()), leastAlone, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) meet(alone_[i], pace, substep);
+        for (int i = begin; i < end; ++i) {
+            meet(alone_[i], pace, substep);
+            rub(termsOf(samples_[alone_[i]])[0].particle, substep);
+        }
     });
+}
+
+/// Friction of all that has pressed a particle, once all have pushed it. Friction of samples between particles that
+/// came before would move cloth that is at rest: it would cancel ways that the pushes after it cancel as well.
+void BodyContact::rub(int particle, Substep& substep) const {
+    if (mayCancel_[particle] <= 0 || pushed_[particle] == Vec3{}) return;
+    const Vec3 way = substep.positions[particle] - substep.previous[particle];
+    const Vec3 slip = tangential(way, normalized(pushed_[particle]));
+    const double slipped = length(slip);
+    if (slipped > 0) substep.positions[particle] -= slip * std::min(1.0, mayCancel_[particle] / slipped);
 }
 
 void BodyContact::follow(double time) {
@@ -151,7 +167,7 @@ void BodyContact::meetMoving(std::size_t s, const Vec3& now, const Vec3& before,
 }
 
 void BodyContact::resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now, const Vec3& before,
-                          const ContactPace& pace, Substep& substep) const {
+                          const ContactPace& pace, Substep& substep) {
     const double start = plane.distance(before);
     const double lift = pace.allowedDistance(start, sample.distance) - plane.distance(now);
     const bool ledOut = sample.distance - start > deepOverlap;
@@ -164,12 +180,21 @@ void BodyContact::resolve(Sample& sample, const collision::TangentPlane& plane, 
     Vec3 move = plane.normal * lift;
     const Vec3 slip = tangential(now - before, plane.normal);
     const double limit = sample.friction * std::max(lift, 0.0), slipped = length(slip);
-    if (slipped > 0) move += slip * -std::min(1.0, limit / slipped);
-    for (const Term& term : termsOf(sample))
-        substep.positions[term.particle] += move * (term.weight * substep.inverseMass[term.particle] / mobility);
+    const bool atOnce = motion_ || slipped > fastSlip;
+    if (atOnce && slipped > 0) move += slip * -std::min(1.0, limit / slipped);
+    for (const Term& term : termsOf(sample)) {
+        const double share = term.weight * substep.inverseMass[term.particle] / mobility;
+        substep.positions[term.particle] += move * share;
+        if (!atOnce && limit > 0) press(term.particle, move * share, limit * share);
+    }
 
     const double force = std::max(lift, 0.0) / (mobility * substep.duration * substep.duration);
     sample.normalForce += pace.learnt() * force;
+}
+
+void BodyContact::press(int particle, const Vec3& push, double cancels) {
+    pushed_[particle] = mayCancel_[particle] > 0 ? pushed_[particle] + push : push;
+    mayCancel_[particle] += cancels;
 }
 
 ContactReport BodyContact::report(std::span<const Vec3> positions) const {

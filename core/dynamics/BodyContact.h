@@ -123,7 +123,9 @@ private:
     void meet(std::size_t sample, const ContactPace& pace, Substep& substep);
     void meetMoving(std::size_t sample, const Vec3& now, const Vec3& before, const ContactPace& pace, Substep& substep);
     void resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now, const Vec3& before,
-                 const ContactPace& pace, Substep& substep) const;
+                 const ContactPace& pace, Substep& substep);
+    void press(int particle, const Vec3& push, double cancels);
+    void rub(int particle, Substep& substep) const;
     [[nodiscard]] std::optional<collision::SmoothValue> dentingAt(int sample, const Vec3& now) const;
     [[nodiscard]] Vec3 slipOf(int sample, const Vec3& now) const;
 
@@ -131,6 +133,8 @@ private:
     std::vector<Term> terms_;
     std::vector<Sample> samples_;
     std::vector<int> blends_, alone_; ///< samples that have a particle in common with others, and those that have not
+    std::vector<double> mayCancel_;   ///< of each particle, slip that friction can cancel in this substep [m]
+    std::vector<Vec3> pushed_;        ///< and where the pushes that press it have moved it, if it can any [m]
     double frequencySquared_ = 0;     ///< [1/s²]
     collision::SurfaceTracker tracker_;
     collision::MovingSurface* motion_ = nullptr; ///< null: the body stands still

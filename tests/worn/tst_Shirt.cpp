@@ -74,6 +74,14 @@ FoldedOver foldedOver(const Simulation& simulation) {
     return lies;
 }
 
+std::vector<Vec3> cuffsOf(const Simulation& simulation) {
+    std::vector<Vec3> places;
+    for (const char* cuff : {"cuff-left", "cuff-right"})
+        for (const int p : particlesOf(pieceCalled(cuff, simulation), simulation))
+            places.push_back(simulation.state().positions[p]);
+    return places;
+}
+
 } // namespace
 
 /// Fronts that lie one over the other and are buttoned: the sample shirt, from where its pieces are placed.
@@ -87,6 +95,13 @@ void tst_Shirt::isWornWithRightOverLeftAndItsCollarTurnedDown() {
     const auto document = samples::shirt(blouseWearer().measurements, blouseWearer().body);
     QVERIFY(document);
     Simulation simulation = simulationOf({document->pattern, Shared<body::Body>(blouseWearer().body), document->scene});
+    static_cast<void>(sewn(simulation, {.seconds = 3.3})); // friction with the body has just come
+    QCOMPARE(simulation.phase(), Phase::draping);
+    const std::vector<Vec3> before = cuffsOf(simulation);
+    static_cast<void>(sewn(simulation, {.seconds = 0.7}));
+    const std::vector<Vec3> after = cuffsOf(simulation);
+    for (std::size_t i = 0; i < before.size(); ++i) QVERIFY(distance(before[i], after[i]) < 0.001);
+
     const SewReport report = sewn(simulation);
     QVERIFY2(report.worn->worn, reasonsOf(report).c_str());
     QVERIFY(report.atRest);
