@@ -81,6 +81,7 @@ class tst_SelfContactNeighbours : public QObject {
 private slots:
     void aFastParticleBringsItsOwnNeighboursOnly();
     void noPairIsMissedWhateverPartOfTheirWaysParticlesGo();
+    void besideACrossingAllButWhatMustPassIsWatched();
     void withRoomForFewPairsLayersStayApart_data();
     void withRoomForFewPairsLayersStayApart();
     void withRoomForFewPairsWaysAreCut();
@@ -138,6 +139,25 @@ void tst_SelfContactNeighbours::noPairIsMissedWhateverPartOfTheirWaysParticlesGo
         QVERIFY(!meeting.empty() && std::ranges::includes(found, meeting));
         QVERIFY2(found.size() < all.size() / 2, qPrintable(QString("%1 of %2").arg(found.size()).arg(all.size())));
     }
+}
+
+void tst_SelfContactNeighbours::besideACrossingAllButWhatMustPassIsWatched() {
+    constexpr std::size_t perCrossing = 5; // an edge with the sides of a triangle, its ends with the triangle
+    Cloth cloth;
+    append(cloth, 0.1, 10, 0.1, 10, 0.3, level(0));
+    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) {
+        return Vec3{m.x - 0.05, 0.3 * (m.x - 0.05), 0.05 - m.y};
+    });
+    SelfContactSettings settings;
+    settings.slackOfRoom = 1;
+    OneSubstep substep(cloth, settings);
+    QVERIFY(substep.go(cloth.state.positions).size() == cloth.state.positions.size());
+    const auto crossings = static_cast<std::size_t>(substep.contact.crossings());
+    collision::SelfProximity proximity(cloth.surface.triangles, cloth.state.positions);
+    const std::size_t all = proximity.pairsWithin(2 * settings.slack + thickness, cloth.state.positions)->size(),
+                      watched = substep.contact.nearPairs();
+    QVERIFY2(crossings > 10 && watched < all && watched + perCrossing * crossings >= all,
+             qPrintable(QString("%1 of %2 pairs, %3 crossings").arg(watched).arg(all).arg(crossings)));
 }
 
 void tst_SelfContactNeighbours::withRoomForFewPairsLayersStayApart_data() {
