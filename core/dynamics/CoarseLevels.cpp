@@ -12,10 +12,12 @@ namespace toile::dynamics {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unknown = -1; ///< flatness, before anything is measured
 /// A coarse particle that follows a pinned one so closely is pinned [–].
 constexpr double samePlace = 0.9;
-/// Cloth whose mean stretch is less is folded, and is left to the finer levels for the frame step [–].
-constexpr double flatEnough = 0.7;
+/// Cloth whose mean stretch is less is folded and left to the finer levels, cloth whose is more is flat; in between a
+/// part of a level acts, for a fold that comes and goes with what acts on it would tremble for ever [–].
+constexpr double folded = 0.6, flat = 0.8;
 /// Part that the frame steps before have in what is measured [–].
 constexpr double remembered = 0.8;
 
@@ -121,8 +123,7 @@ void CoarseLevels::compile(Level& level, int particles) {
     level.seats.resize(level.triangles.size());
     for (const auto& group : coloured.groups) {
         FourLevelTriangles& four = level.fours.emplace_back();
-        four.weft.fill(infinite);
-        four.warp.fill(infinite);
+        four.flatness.fill(unknown);
         for (int lane = 0; lane < lanes; ++lane) {
             for (int k = 0; k < corners; ++k) four.particles[k][lane] = particles + lane * corners + k;
             if (lane >= std::ssize(group)) continue;
@@ -140,8 +141,8 @@ void CoarseLevels::compile(Level& level, int particles) {
 void CoarseLevels::forget() {
     for (Level& level : levels_)
         for (FourLevelTriangles& four : level.fours) {
-            four.weft.fill(infinite);
-            four.warp.fill(infinite);
+            four.weft.fill(0);
+            four.flatness.fill(unknown);
         }
 }
 
@@ -245,15 +246,19 @@ void CoarseLevels::measure(std::span<const Vec3> positions) {
                 levels_[l + 1].meanV[t.parent] += t.share * level.meanV[i];
             }
             const double weft = length(level.meanU[i]), warp = length(level.meanV[i]);
-            const bool folded = weft < flatEnough || warp < flatEnough;
+            const double flatness = std::clamp((std::min(weft, warp) - folded) / (flat - folded), 0.0, 1.0);
             const Vec3 u = weighted(t.u, t.particles, level.places), v = weighted(t.v, t.particles, level.places);
             const double shear = dot(u, v) - dot(level.meanU[i], level.meanV[i]);
             FourLevelTriangles& four = level.fours[level.seats[i].four];
             const int lane = level.seats[i].lane;
-            const double old = four.weft[lane] == infinite ? 0 : remembered;
-            four.weft[lane] = folded ? infinite : mixed(four.weft[lane], length(u) / weft, old);
-            four.warp[lane] = folded ? infinite : mixed(four.warp[lane], length(v) / warp, old);
-            four.shear[lane] = mixed(four.shear[lane], shear, old);
+            const double old = four.flatness[lane] == unknown ? 0 : remembered;
+            four.flatness[lane] = mixed(four.flatness[lane], flatness, old);
+            if (flatness == 0) continue;
+            // What was never measured, folded as it was, is taken as it is.
+            const double known = four.weft[lane] > 0 ? old : 0;
+            four.weft[lane] = mixed(four.weft[lane], length(u) / weft, known);
+            four.warp[lane] = mixed(four.warp[lane], length(v) / warp, known);
+            four.shear[lane] = mixed(four.shear[lane], shear, known);
         }
     }
 }

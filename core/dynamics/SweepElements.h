@@ -60,8 +60,9 @@ struct alignas(32) FourHinges {
 struct alignas(32) FourLevelTriangles {
     std::array<FourNumbers, 3> u{}, v{};  ///< [1/m]
     std::array<FourNumbers, 3> factors{}; ///< of weft, warp and shear: 1/(w + compliance); 0 = nothing is missing
-    FourNumbers weft{}, warp{};           ///< |F_u|, |F_v| when the cloth in it is flat; infinite while it is folded
+    FourNumbers weft{}, warp{};           ///< |F_u|, |F_v| when the cloth in it is flat
     FourNumbers shear{};                  ///< F_u·F_v when the cloth in it is not sheared
+    FourNumbers flatness{};               ///< part of the factors that acts: 1 of flat cloth, 0 of folded
     std::array<FourIndices, 3> particles{};
 };
 

@@ -308,13 +308,12 @@ void sweepLevel(Place* places, std::span<const FourLevelTriangles> triangles) {
             u[i] = load(t.u[i]);
             v[i] = load(t.v[i]);
         }
-        const Four weft = load(t.weft);
-        pullTaut(corners, u, load(t.factors[0]), weft);
-        pullTaut(corners, v, load(t.factors[1]), load(t.warp));
+        const Four flatness = load(t.flatness);
+        pullTaut(corners, u, flatness * load(t.factors[0]), load(t.weft));
+        pullTaut(corners, v, flatness * load(t.factors[1]), load(t.warp));
         const Vectors fu = corners[0].at * u[0] + corners[1].at * u[1] + corners[2].at * u[2];
         const Vectors fv = corners[0].at * v[0] + corners[1].at * v[1] + corners[2].at * v[2];
-        const FourFlags isFolded = weft == all(std::numeric_limits<double>::infinity());
-        const Four lambda = isFolded ? Four{} : -load(t.factors[2]) * (dot(fu, fv) - load(t.shear));
+        const Four lambda = -flatness * load(t.factors[2]) * (dot(fu, fv) - load(t.shear));
         for (int i = 0; i < 3; ++i) {
             const Four w = lambda * corners[i].inverseMass;
             corners[i].at = corners[i].at + fv * (w * u[i]) + fu * (w * v[i]);

@@ -173,7 +173,11 @@ void Simulation::planSubsteps() {
 
 /// Fine cloth may go on trembling by levels where it is crumpled; hands move it anyway.
 bool Simulation::levelsMayHelp() const {
-    return !grips_->empty() || state_.time <= sewnTime_ + dressing.shakingTime + dressing.levelsTime;
+    return !grips_->empty() || state_.time <= sewnTime_ + shakingTime() + dressing.levelsTime;
+}
+
+double Simulation::shakingTime() const {
+    return goesOnAsItLay_ ? dressing.editShakingTime : dressing.shakingTime;
 }
 
 void Simulation::correctByLevels(int levels) {
@@ -195,10 +199,8 @@ std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method 
 }
 
 double Simulation::damping() const {
-    if (phase_ == Phase::draping) {
-        const double least = goesOnAsItLay_ ? editDamping : grips_->empty() ? 0 : handDamping;
-        return std::max(scene_.settings.damping, least);
-    }
+    if (goesOnAsItLay_ && phase_ != Phase::sewing) return std::max(scene_.settings.damping, editDamping);
+    if (phase_ == Phase::draping) return std::max(scene_.settings.damping, grips_->empty() ? 0 : handDamping);
     const bool stiffening = phase_ == Phase::shaking && state_.time < sewnTime_ + dressing.stiffeningTime;
     return phase_ == Phase::sewing || stiffening ? dressing.sewingDamping : dressing.shakingDamping;
 }

