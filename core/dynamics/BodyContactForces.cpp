@@ -68,9 +68,25 @@ void BodyContact::fixFriction(std::span<const Vec3> positions) {
         const auto surface = pushing_->distance.at(now, pushing_->patches[s]);
         sample.normal = normalized(surface.gradient);
         if (!first)
-            sample.normalForce = pushOf(sample.distance - surface.value, sample.stiffness, settings_.onset).force *
+            sample.normalForce = pushOf(dentOf(sample, surface.value), sample.stiffness, settings_.onset).force *
                                  length(surface.gradient);
     }
+}
+
+void BodyContact::take(const Motion&) {
+    for (Sample& sample : samples_) sample.takenBack = 0;
+}
+
+/// Once and no farther than the push has its full stiffness: between two limbs there may be no place for the cloth, and
+/// it would be kept farther for ever.
+bool BodyContact::takesBackYield(std::span<const Vec3> positions) {
+    std::vector<double> dents(samples_.size());
+    for (const int s : pushing_->near)
+        if (const auto surface = dentingAt(s, at(samples_[s], positions)))
+            dents[s] = dentOf(samples_[s], surface->value);
+    if (dents.empty() || std::ranges::max(dents) <= settings_.toleratedDent) return false;
+    for (std::size_t s = 0; s < dents.size(); ++s) samples_[s].takenBack = std::min(dents[s], settings_.onset);
+    return true;
 }
 
 void BodyContact::beginIteration(std::span<const Vec3> positions) {
@@ -83,12 +99,16 @@ void BodyContact::beginIteration(std::span<const Vec3> positions) {
     }
 }
 
+/// How much too near the body a place at this distance is.
+double BodyContact::dentOf(const Sample& sample, double distance) const {
+    return sample.distance + sample.takenBack - distance;
+}
+
 /// The smooth distance of a sample to the body, if it is too small. Remembers on the way which nodes it rests on.
 std::optional<collision::SmoothValue> BodyContact::dentingAt(int s, const Vec3& now) const {
-    const double kept = samples_[s].distance;
-    if (tracker_.stillFar(s, now, kept + settings_.lattice)) return std::nullopt;
+    if (tracker_.stillFar(s, now, samples_[s].distance + settings_.lattice)) return std::nullopt;
     const auto surface = pushing_->distance.at(now, pushing_->patches[s]);
-    return surface.value < kept ? std::optional(surface) : std::nullopt;
+    return dentOf(samples_[s], surface.value) > 0 ? std::optional(surface) : std::nullopt;
 }
 
 Vec3 BodyContact::slipOf(int s, const Vec3& now) const {
@@ -101,7 +121,7 @@ double BodyContact::energy(std::span<const Vec3> positions) const {
         const Sample& sample = samples_[s];
         const Vec3 now = at(sample, positions);
         if (const auto surface = dentingAt(s, now))
-            sum += pushOf(sample.distance - surface->value, sample.stiffness, settings_.onset).energy;
+            sum += pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset).energy;
         if (sample.normalForce > 0)
             sum += sample.friction * sample.normalForce * smoothLength(length(slipOf(s, now)), settings_.frictionGive);
     }
@@ -115,7 +135,7 @@ void BodyContact::addForces(std::span<const Vec3> positions, std::span<Vec3> for
         Vec3 force;
         if (const auto surface = dentingAt(s, now))
             force +=
-                surface->gradient * pushOf(sample.distance - surface->value, sample.stiffness, settings_.onset).force;
+                surface->gradient * pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset).force;
         if (sample.normalForce > 0) {
             const Vec3 slip = slipOf(s, now);
             force -= slip * (sample.friction * sample.normalForce *
@@ -133,7 +153,7 @@ void BodyContact::addHessian(std::span<const Vec3> positions, HessianSink& sink)
         if (!surface && sample.normalForce == 0) continue;
         double whole[9] = {};
         if (surface) {
-            const Push push = pushOf(sample.distance - surface->value, sample.stiffness, settings_.onset);
+            const Push push = pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset);
             addOuter(whole, surface->gradient, push.stiffness);
             addTurning(whole, push.force, surface->hessian);
         }

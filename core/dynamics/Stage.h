@@ -63,6 +63,12 @@ public:
     /// Before the first Newton iteration, and again whenever the forces nearly balance: takes the normal forces that
     /// friction rests on. Between two calls the energy is one function of the positions.
     virtual void fixFriction(std::span<const Vec3> positions) { static_cast<void>(positions); }
+    /// Where forces balance at rest: whether what acts by yielding has yielded too far, and acts from farther now, so
+    /// that another balance is nearer to the truth. Forgotten with the next take().
+    [[nodiscard]] virtual bool takesBackYield(std::span<const Vec3> positions) {
+        static_cast<void>(positions);
+        return false;
+    }
     /// Once before every Newton iteration: finds what may act in it.
     virtual void beginIteration(std::span<const Vec3> positions) = 0;
     [[nodiscard]] virtual double energy(std::span<const Vec3> positions) const = 0;

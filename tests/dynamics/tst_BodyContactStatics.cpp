@@ -56,6 +56,8 @@ private slots:
     void inAHollowTheHessianIsTheCurvatureOfTheEnergy();
     void inStaticsFrictionHoldsUpToTheConeAndNotBeyond();
     void aSheetDrapesOverABallAndStaysOutsideInStatics();
+    void whatPressesHardRestsAtItsDistance_data();
+    void whatPressesHardRestsAtItsDistance();
     void inAGrooveAParticleComesToRest();
 };
 
@@ -174,6 +176,38 @@ void tst_BodyContactStatics::aSheetDrapesOverABallAndStaysOutsideInStatics() {
     const auto resting = contact.report(state.positions);
     QVERIFY(resting.smallestClearance > target - 3e-4); // dents stay below 0.3 mm
     QVERIFY(resting.contacts > 20);
+}
+
+void tst_BodyContactStatics::whatPressesHardRestsAtItsDistance_data() {
+    QTest::addColumn<double>("weights"); // of itself that press on it
+    QTest::addColumn<double>("least");   // and most it lies too near at the end [m]
+    QTest::addColumn<double>("most");
+    QTest::addRow("its weight") << 1.0 << 1e-5 << 2e-5; // the push of 2.5e7 1/s² that begins over 0.5 mm
+    QTest::addRow("fifty times") << 50.0 << 1.3e-4 << 1.5e-4;
+    QTest::addRow("three hundred times, taken back") << 300.0 << 0.0 << 1e-5;
+}
+
+void tst_BodyContactStatics::whatPressesHardRestsAtItsDistance() {
+    QFETCH(const double, weights);
+    QFETCH(const double, least);
+    QFETCH(const double, most);
+    const auto patch = fixtures::gridPatch(fixtures::evenLines(0.1, 8), fixtures::evenLines(0.1, 8));
+    cloth::ClothModel model;
+    QVERIFY(cloth::appendPatch(model, patch, material::Fabric{}));
+    const auto floor = surfaceOf(shapes::plane(0.5, 2));
+    dynamics::ParticleState state;
+    for (const Vec2& m : patch.material) state.positions.push_back({m.x, target, m.y});
+    state.velocities.resize(state.positions.size());
+    const std::vector<double> half(model.mass.size(), 0.0002), mu(model.mass.size(), 0.4);
+    BodyContact contact(floor, dynamics::particleSamples(model, half, mu, 0.4));
+    dynamics::Stage* stages[]{&contact};
+    for (int again = 0; again < 2; ++again) { // what was taken back is forgotten in between
+        const auto report = dynamics::solveStatic(model, state, {0, -gravity * weights, 0}, stages);
+        QVERIFY(report);
+        QVERIFY(report->newton.converged);
+        const double dent = target - contact.clearance(state.positions);
+        QVERIFY2(dent > least - 1e-6 && dent < most, qPrintable(QString::number(dent)));
+    }
 }
 
 /// Where the nearest wall changes, the distance to triangles has a kink that draws a particle into it from both sides.
