@@ -36,7 +36,7 @@ struct EdgePick {
 [[nodiscard]] Result<Pattern> setSeamEase(const Pattern& pattern, const SeamId& seam, std::size_t section, double ease);
 /// Declares the difference of lengths that every section of the seam has now as wanted.
 [[nodiscard]] Result<Pattern> easeAway(const Pattern& pattern, const SeamId& seam);
-/// The same as gathers: a thread draws up the longer side of every section.
+/// The same as gathers: a thread draws up the longer side of every section, also where the shorter one is of knit.
 [[nodiscard]] Result<Pattern> gatherAway(const Pattern& pattern, const SeamId& seam);
 /// Some section of the seam has a gather ratio.
 [[nodiscard]] bool isGathered(const Seam& seam);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
+#include "core/pattern/PatternFabrics.h"
 #include "core/simulation/DrawnUp.h"
 #include "core/simulation/Garment.h"
 #include "core/simulation/MeshInputOf.h"
@@ -18,6 +19,13 @@ pattern::Pattern gathered() {
     left.outline.vertices[2].position.y = left.outline.vertices[3].position.y = 0.3;
     pattern.pieces[0] = left;
     pattern.seams[0].sections = {{.ease = 0, .gatherRatio = 1.5}};
+    return pattern;
+}
+
+/// The same as 0.1 m of ease.
+pattern::Pattern eased() {
+    pattern::Pattern pattern = gathered();
+    pattern.seams[0].sections = {{.ease = 0.1, .gatherRatio = {}}};
     return pattern;
 }
 
@@ -51,11 +59,27 @@ private slots:
         const auto drawn = drawnUp(pattern, meshOf(pattern), {false});
         QVERIFY(drawn[0].empty() && drawn[1].empty());
     }
-    void easeIsShared() {
-        pattern::Pattern pattern = gathered();
-        pattern.seams[0].sections = {{.ease = 0.1, .gatherRatio = {}}};
-        const auto drawn = drawnUp(pattern, meshOf(pattern), {true});
-        QVERIFY(drawn[0].empty() && drawn[1].empty());
+    void easeIsDrawnUpAsGathersAre() {
+        const auto drawn = drawnUp(eased(), meshOf(eased()), {true});
+        QCOMPARE(drawn, drawnUp(gathered(), meshOf(gathered()), {true}));
+    }
+    void aShorterSideOfKnitIsStretchedInstead() {
+        pattern::Pattern pattern = eased();
+        material::Fabric knit = *pattern.fabrics[0];
+        knit.id = material::FabricId("knit");
+        knit.kind = material::FabricKind::knit;
+        pattern.fabrics.push_back(knit);
+        const auto cutFrom = [&](int piece) {
+            return *pattern::setPieceFabric(pattern, pattern.pieces[piece]->id, knit.id);
+        };
+        const auto longer = cutFrom(0), shorter = cutFrom(1);
+        QVERIFY(!drawnUp(longer, meshOf(longer), {true})[0].empty());
+        QVERIFY(drawnUp(shorter, meshOf(shorter), {true})[0].empty());
+    }
+    void aDifferenceThatIsNotDeclaredIsShared() {
+        pattern::Pattern pattern = eased();
+        pattern.seams[0].sections = {};
+        QVERIFY(drawnUp(pattern, meshOf(eased()), {true})[0].empty());
     }
     /// Both sides of the merged row want the length of the shorter one.
     void theGarmentsRowIsAsLongAsTheShorterSide() {

@@ -216,10 +216,9 @@ std::vector<Case> sewingCases() {
         {"V23", theme, "closed tube", v23ClosedTubeIsRound},
         {"V34", theme, "gathers", v34Gathers},
         {"V34", theme, "seam ease", v34SeamEase,
-         "Cloth is as stiff against being pressed together as against being stretched, and both sides of a seam are "
-         "one "
-         "row of particles: they meet half way. The little waves between stitches, which make eased cloth give way, "
-         "are finer than a mesh."},
+         "The longer side is drawn up and the shorter one keeps its length, but both share the seam's row of "
+         "particles: "
+         "with no gravity, and as stiff as the eased side, the shorter one bends along with it."},
     };
 }
 
