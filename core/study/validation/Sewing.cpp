@@ -13,6 +13,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
+#include <map>
 
 namespace toile::study::validation {
 namespace {
@@ -188,10 +190,28 @@ double lengthOfSeam(const Simulation& simulation) {
     return way;
 }
 
+/// Length of the line of nodes of a square piece this far from its seam, along the seam [m].
+double lengthBeside(const Simulation& simulation, int piece, double x) {
+    const auto& garment = simulation.garment();
+    const auto& material = garment.mesh->pieces[piece].material;
+    std::map<double, Vec3> line; // by the place along the seam
+    for (std::size_t node = 0; node < material.size(); ++node)
+        if (std::abs(material[node].x - x) < 1e-9)
+            line[material[node].y] =
+                simulation.state().positions[garment.particles.particle({piece, static_cast<int>(node)})];
+    double way = 0;
+    for (auto to = line.begin(); to != line.end() && std::next(to) != line.end(); ++to)
+        way += geometry::distance(to->second, std::next(to)->second);
+    return way;
+}
+
 void v34SeamEase(Findings& found) {
     auto simulation = fullSeam(0.103, {.ease = 0.003, .gatherRatio = {}});
     if (!found.ran(simulation)) return;
     found.within("103 mm eased into 100 mm: length of the seam [m]", 0.1, lengthOfSeam(*simulation), 0.005);
+    found.within("the same: length of the eased side 10 mm from the seam [m]", 0.103,
+                 lengthBeside(*simulation, 0, 0.05), 0.005);
+    found.within("the same: length of the shorter side there [m]", 0.1, lengthBeside(*simulation, 1, 0.01), 0.005);
     found.atMost("the same: unevenness of the shorter side over the eased one", 0.5,
                  unevenness(*simulation, 1) / unevenness(*simulation, 0));
 }
