@@ -13,7 +13,7 @@ constexpr double leastInertia = 0.01;
 
 /// Fewer free particles have a factor for every iteration, shifted by inertia: it is cheap there, and where soft
 /// directions turn, as of a strap that swings or of a chain of stiff links, an old one leads across them.
-constexpr std::size_t fewParticles = 4000;
+constexpr std::size_t fewParticles = 1000;
 
 } // namespace
 

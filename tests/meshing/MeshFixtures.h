@@ -4,6 +4,7 @@
 #include "core/meshing/GarmentMesh.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 #include <string>
 
@@ -13,7 +14,7 @@ namespace toile::meshing {
 inline BoundaryLoop loopThrough(const std::vector<Vec2>& corners) {
     BoundaryLoop loop;
     for (std::size_t i = 0; i < corners.size(); ++i)
-        loop.push_back({Curve{corners[i], corners[(i + 1) % corners.size()], {}}, {}, "e" + std::to_string(i)});
+        loop.push_back({Curve{corners[i], corners[(i + 1) % corners.size()], {}}, {}, fmt::format("e{}", i)});
     return loop;
 }
 

@@ -4,6 +4,8 @@
 #include "core/base/Json.h"
 #include "core/meshing/MeshInput.h"
 
+#include <fmt/format.h>
+
 /// Inputs of the mesher as JSON, for the corpus of inputs that once failed. Numbers come back bit for bit.
 namespace toile::meshing {
 
@@ -100,7 +102,7 @@ struct InputReader {
         BoundaryLoop loop;
         for (const Json& edge : *json.asArray()) {
             BoundaryEdge read{
-                {point(*edge.find("start")), point(*edge.find("end")), {}}, {}, "e" + std::to_string(loop.size())};
+                {point(*edge.find("start")), point(*edge.find("end")), {}}, {}, fmt::format("e{}", loop.size())};
             for (const Json& notch : items(edge, "notches")) read.notches.push_back(*notch.asNumber());
             if (edge.find("bulge")) read.curve.shape = geometry::ArcShape{number(edge, "bulge")};
             if (edge.find("control1"))
@@ -111,7 +113,7 @@ struct InputReader {
     }
 
     static FoldInput fold(const Json& json, std::size_t index) {
-        FoldInput fold{"f" + std::to_string(index), polygon(*json.find("points")), {}};
+        FoldInput fold{fmt::format("f{}", index), polygon(*json.find("points")), {}};
         for (std::size_t end = 0; end < 2; ++end) {
             const Json& one = items(json, "ends")[end];
             fold.ends[end] = {whole(one, "loop"), whole(one, "edge"), number(one, "fraction")};
@@ -130,7 +132,7 @@ struct InputReader {
         piece.border = static_cast<RegionBorder>(whole(json, "border"));
         piece.mirrored = *json.find("mirrored")->asBool();
         for (const Json& region : items(json, "regions")) {
-            RegionInput read{"r" + std::to_string(piece.regions.size()),
+            RegionInput read{fmt::format("r{}", piece.regions.size()),
                              polygon(*region.find("outline")),
                              {},
                              whole(region, "refinement")};
@@ -161,7 +163,7 @@ struct InputReader {
         for (const Json& one : items(json, "pieces"))
             input.pieces.push_back(piece(one, "P" + std::to_string(input.pieces.size())));
         for (const Json& one : items(json, "seams"))
-            input.seams.push_back(seam(one, "s" + std::to_string(input.seams.size())));
+            input.seams.push_back(seam(one, fmt::format("s{}", input.seams.size())));
         return input;
     }
 };

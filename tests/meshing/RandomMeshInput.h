@@ -4,6 +4,7 @@
 #include "tests/meshing/MeshFixtures.h"
 
 #include <cstdint>
+#include <fmt/format.h>
 
 /// Random garments: a seed means the same input everywhere.
 namespace toile::meshing {
@@ -175,7 +176,7 @@ private:
     }
 
     RegionInput region(int number, Vec2 centre) {
-        RegionInput region{"r" + std::to_string(number), {}, {}, random_.whole(0, 3)};
+        RegionInput region{fmt::format("r{}", number), {}, {}, random_.whole(0, 3)};
         const double size = random_(0.03, 0.2);
         region.outline = star(centre, random_.whole(3, 9), 0.6 * size, size);
         if (random_.chance(0.5))
@@ -199,7 +200,7 @@ private:
         };
         const FoldEndInput a = end(), b = end();
         const Vec2 from = pointAt(a), to = pointAt(b);
-        FoldInput fold{"f" + std::to_string(number), {from}, {a, b}};
+        FoldInput fold{fmt::format("f{}", number), {from}, {a, b}};
         if (random_.chance(0.3)) fold.points.push_back(lerp(from, to, 0.5) + Vec2{random_(-0.02, 0.02), 0});
         fold.points.push_back(to);
         return fold;

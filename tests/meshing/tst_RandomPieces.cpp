@@ -2,6 +2,7 @@
 #include "tests/meshing/MeshReferee.h"
 
 #include <QTest>
+#include <fmt/format.h>
 
 using namespace toile;
 using namespace toile::meshing;
@@ -45,7 +46,7 @@ PieceInput starPiece(Random& random) {
     for (int r = random.whole(0, 2); r > 0; --r) {
         const double x = random(-0.1, 0.1), y = random(-0.1, 0.1), w = random(0.05, 0.2), h = random(0.05, 0.2);
         piece.regions.push_back(
-            {"r" + std::to_string(r), {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}, {}, random.whole(0, 2)});
+            {fmt::format("r{}", r), {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}, {}, random.whole(0, 2)});
     }
     return piece;
 }

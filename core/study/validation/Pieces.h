@@ -3,6 +3,7 @@
 
 #include "core/simulation/Scene.h"
 
+#include <fmt/format.h>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,8 @@ inline pattern::Piece polygonPiece(const std::string& id, const std::vector<Vec2
     piece.spacing = spacing;
     int i = 0;
     for (const Vec2 corner : corners) {
-        piece.outline.vertices.push_back({pattern::VertexId("v" + std::to_string(i)), corner});
-        piece.outline.edges.push_back({pattern::EdgeId("e" + std::to_string(i)), geometry::LineShape{}, {}});
+        piece.outline.vertices.push_back({pattern::VertexId(fmt::format("v{}", i)), corner});
+        piece.outline.edges.push_back({pattern::EdgeId(fmt::format("e{}", i)), geometry::LineShape{}, {}});
         ++i;
     }
     return piece;
