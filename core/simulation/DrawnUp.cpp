@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/DrawnUp.h"
 
-#include "core/pattern/PatternFabrics.h"
 #include "core/pattern/PatternSeams.h"
 
 #include <algorithm>
@@ -17,7 +16,7 @@ bool isEased(const pattern::Seam& seam) {
 }
 
 bool isWoven(const pattern::Pattern& pattern, int piece) {
-    const auto fabric = pattern::clothOf(pattern, *pattern.pieces[piece]);
+    const material::Fabric* fabric = pattern::findFabric(pattern, pattern.pieces[piece]->fabric);
     return fabric && fabric->kind == material::FabricKind::woven;
 }
 

@@ -40,8 +40,8 @@ void addLengthRows(PropertySheet& sheet, const Desk& desk, const Seam& seam) {
             {QStringLiteral("gathered"), tr("Gathered"),
              FlagRow{gathered, setting(seam.id, [](const Pattern& p, const SeamId& id,
                                                    bool on) { return on ? gatherAway(p, id) : easeAway(p, id); })},
-             tr("A thread draws up the longer side, and the shorter one keeps its length. Ease is eased in the same "
-                "way, but a shorter side of knit stretches instead.")});
+             tr("A thread draws up the longer side, and the shorter one keeps its length. Ease is drawn up in the "
+                "same way, unless the shorter side is of knit: that stretches.")});
     if (gathered && sections->size() == 1)
         sheet.rows.push_back({QStringLiteral("gatherRatio"), tr("Gather ratio (A / B)"),
                               NumberRow{Quantity::factor, seam.sections[0].gatherRatio.value_or(1), 0.01, 100, 0.1,

@@ -236,9 +236,8 @@ std::vector<Case> sewingCases() {
         {"V23", theme, "closed tube", v23ClosedTubeIsRound},
         {"V34", theme, "gathers", v34Gathers},
         {"V34", theme, "seam ease", v34SeamEase,
-         "The longer side is drawn up and the shorter one keeps its length, but both share the seam's row of "
-         "particles: "
-         "with no gravity, and as stiff as the eased side, the shorter one bends along with it."},
+         "The longer side is drawn up and the shorter one keeps its length. But both share the seam's row of "
+         "particles: with no gravity, and as stiff as the eased side, the shorter one bends along with it."},
     };
 }
 
