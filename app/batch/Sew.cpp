@@ -3,9 +3,9 @@
 #include "app/batch/BodyMotion.h"
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
-#include "app/batch/Opening.h"
 #include "app/batch/Outputs.h"
 #include "app/batch/Pictures.h"
+#include "app/batch/SewBegin.h"
 #include "core/base/AtomicFile.h"
 #include "core/dynamics/Method.h"
 #include "core/io/CheckpointFile.h"
@@ -37,52 +37,15 @@ Result<void> checked(const SewOptions& options) {
     return checkedOutput(options.report, {});
 }
 
-/// A document says how many substeps its own mesh needs. What stiffness a substep lets cloth have falls with the square
-/// of the spacing, and rises with that of the number of substeps: on a mesh twice as fine twice as many keep it.
-int substepsAt(const simulation::Scene& scene, double spacing) {
-    const auto spacingOf = [&](const auto& piece) { return pattern::resolved(scene.pattern, *piece).spacing; };
-    const double own = scene.pattern.pieces.empty()
-                           ? spacing
-                           : spacingOf(*std::ranges::min_element(scene.pattern.pieces, {}, spacingOf));
-    return static_cast<int>(std::ceil(scene.settings.substeps * std::max(1.0, own / spacing)));
-}
-
 void applyOptions(OpenedScene& opened, const SewOptions& options) {
     simulation::Scene& scene = opened.scene;
     scene.paper = options.paper;
     if (options.step) scene.settings.frameStep = *options.step;
-    if (options.substeps) scene.settings.substeps = *options.substeps;
-    else if (options.spacing) scene.settings.substeps = substepsAt(scene, *options.spacing);
     if (options.arrange && scene.body) scene.pattern = simulation::startingClearOf(scene.pattern, **scene.body);
     for (const auto& piece : scene.pattern.pieces)
         if (!piece->placement)
             opened.warnings.push_back(
                 {fmt::format("piece \"{}\"", piece->name), "It is not placed, and starts flat in the plane z = 0."});
-}
-
-/// How the garment overlaps the body or itself before it moves; empty if it does not.
-std::string overlapAtStart(const simulation::Simulation& simulation) {
-    const simulation::ContactSummary start = simulation::contactOf(simulation);
-    std::string overlap;
-    if (start.bodyPenetrationMaximum > 0 || start.bodyIntersections > 0)
-        overlap = fmt::format("{:.1f} mm inside the body, with {} intersections", 1000 * start.bodyPenetrationMaximum,
-                              start.bodyIntersections);
-    if (start.selfIntersections > 0)
-        overlap += fmt::format("{}with {} intersections with itself", overlap.empty() ? "" : ", and ",
-                               start.selfIntersections);
-    return overlap;
-}
-
-/// Error with --strict, else a warning.
-Result<void> judgeStart(OpenedScene& opened, const simulation::Simulation& simulation, const SewOptions& options) {
-    const std::string overlap = overlapAtStart(simulation);
-    if (overlap.empty()) return {};
-    if (options.strict)
-        return fail(ErrorCode::invalidInput,
-                    fmt::format("The garment starts {}: place its pieces clear of it, or leave out --strict.", overlap),
-                    {.file = options.file});
-    opened.warnings.push_back({"start", fmt::format("The garment starts {}.", overlap)});
-    return {};
 }
 
 /// What sewing came to, and what followed when the avatar moved.
@@ -124,6 +87,10 @@ void printSummary(const simulation::SewReport& report, const SewOptions& options
                report.tacks.empty() ? "" : fmt::format("{} of {} tacks, ", tacked, report.tacks.size()),
                report.simulatedSeconds, report.wallSeconds, report.ending,
                report.residual ? fmt::format(", residual {:.1e}", *report.residual) : "");
+    if (report.coarse)
+        fmt::print("of it on its own mesh, of {} particles: {:.2f} s simulated in {:.1f} s; {}\n",
+                   report.coarse->particles, report.coarse->simulatedSeconds, report.coarse->wallSeconds,
+                   report.coarse->ending);
     if (options.paper || options.method != dynamics::nameOf(dynamics::Method::xpbd))
         fmt::print("{}\n", methodsOf(report));
     for (const simulation::FoldReport& fold : report.folds)
@@ -203,24 +170,6 @@ Result<Outcome> sewnAndKept(const SewOptions& options, const OpenedScene& opened
     return outcome;
 }
 
-/// From the start, or from where another run has stopped.
-Result<simulation::Simulation> begun(const SewOptions& options, OpenedScene& opened) {
-    const simulation::MeshOverrides overrides{.spacing = options.spacing, .rule = options.rule};
-    auto simulation = [&]() -> Result<simulation::Simulation> {
-        if (options.resume.empty()) return simulation::Simulation::create(opened.scene, overrides);
-        const auto point = io::readCheckpoint(options.resume);
-        if (!point) return tl::unexpected(point.error());
-        return simulation::Simulation::resumed(opened.scene, overrides, *point);
-    }();
-    if (!simulation) return simulation;
-    simulation->workWith(std::make_shared<Team>(options.threads));
-    if (options.method != dynamics::nameOf(dynamics::Method::xpbd))
-        simulation->drapeWith(dynamics::methodNamed(options.method)); // absent for "static"
-    if (!options.resume.empty()) return simulation;
-    if (const auto start = judgeStart(opened, *simulation, options); !start) return tl::unexpected(start.error());
-    return simulation;
-}
-
 Result<void> keep(const std::string& checkpoint, simulation::Simulation& simulation) {
     return checkpoint.empty() ? Result<void>() : io::writeCheckpoint(simulation.checkpoint(), checkpoint);
 }
@@ -247,18 +196,21 @@ int sew(const SewOptions& options, std::stop_token stop) {
     auto opened = openScene(document->document, options.file, options.avatar);
     if (!opened) return refuse(opened.error());
     applyOptions(*opened, options);
-    auto simulation = begun(options, *opened);
-    if (!simulation) return refuse(simulation.error());
-
     simulation::SewSettings settings{.seconds = options.seconds, .limit = options.limit, .hold = options.hold};
-    auto outcome = sewnAndKept(options, *opened, settings, *simulation, stop);
-    if (const auto kept = keep(options.checkpoint, *simulation); !kept) return refuse(kept.error());
+    auto begin = begun(options, *opened, settings, stop);
+    if (!begin) return refuse(begin.error());
+    auto& [simulation, coarse] = *begin;
+
+    if (coarse) settings = settingsAfter(*coarse, settings);
+    auto outcome = sewnAndKept(options, *opened, settings, simulation, stop);
+    if (const auto kept = keep(options.checkpoint, simulation); !kept) return refuse(kept.error());
     if (!outcome) return refuse(outcome.error());
     simulation::SewReport& report = outcome->sewn;
+    if (coarse) count(*coarse, report);
     report.warnings.insert(report.warnings.begin(), opened->warnings.begin(), opened->warnings.end());
     printSummary(report, options);
     if (outcome->wearing) printWearing(*outcome->wearing);
-    if (const auto written = writeResults(options, *opened, *simulation, *outcome); !written)
+    if (const auto written = writeResults(options, *opened, simulation, *outcome); !written)
         return refuse(written.error());
     const bool wornWell = !outcome->wearing || outcome->wearing->reachedItsGoal();
     return report.reachedItsGoal(settings) && wornWell ? done : goalMissed;

@@ -24,8 +24,8 @@ CLI::Option* addLength(CLI::App& command, const std::string& name, double& metre
         name, [&metres](const double& value) { metres = value * millimetre; }, what);
 }
 
-void addSpacing(CLI::App& command, std::optional<double>& spacing) {
-    command
+CLI::Option* addSpacing(CLI::App& command, std::optional<double>& spacing) {
+    return command
         .add_option_function<double>(
             "--spacing", [&spacing](const double& value) { spacing = value * millimetre; },
             "main spacing of every piece [mm]")
@@ -75,7 +75,7 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     auto options = std::make_shared<SewOptions>();
     command->add_option("FILE", options->file)->required();
     command->add_option("--avatar", options->avatar, "a body instead of the document's");
-    addSpacing(*command, options->spacing);
+    auto* spacing = addSpacing(*command, options->spacing);
     addRule(*command, options->rule);
     auto* seconds = command->add_option_function<double>(
         "--seconds", [options](const double& value) { options->seconds = value; }, "simulate just so long [s]");
@@ -83,6 +83,9 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     command->add_flag("--until-rest")
         ->description("simulate until the cloth is at rest (the default)")
         ->excludes(seconds);
+    auto* refine = command->add_flag("--refine", options->refine,
+                                     "sew on the document's own mesh first, and carry the drape over to --spacing");
+    refine->needs(spacing)->excludes(seconds);
     command->add_option("--limit", options->limit, "give up waiting for rest after so many simulated seconds [s]")
         ->check(CLI::Range(0.1, 3600.0));
     command
@@ -96,7 +99,8 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     command
         ->add_flag("--paper", options->paper,
                    "the 2002 paper end to end: its mesh, springs alone, a sewing force, explicit steps by regions")
-        ->excludes(method);
+        ->excludes(method)
+        ->excludes(refine);
     const auto isAuto = [](const std::string& text) { return std::string(text == "auto" ? "" : "only auto is known"); };
     command
         ->add_option_function<std::string>(
@@ -124,7 +128,8 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     auto* checkpoint =
         command->add_option("--checkpoint", options->checkpoint,
                             "write where the simulation stands at the end, also when it is stopped by Ctrl+C");
-    command->add_option("--resume", options->resume, "go on from a checkpoint of the same garment, body and options");
+    command->add_option("--resume", options->resume, "go on from a checkpoint of the same garment, body and options")
+        ->excludes(refine); // it stands on the fine mesh already
     auto* lift = command
                      ->add_option_function<double>(
                          "--lift-arms",

@@ -46,6 +46,14 @@ struct StageShare {
     std::size_t bytes = 0;
 };
 
+/// What was done on a coarser mesh before (Refine.h).
+struct CoarseRun {
+    int particles = 0, steps = 0;
+    double simulatedSeconds = 0, heldSeconds = 0, sleptSeconds = 0; ///< as in SewReport [s]
+    double cpuSeconds = 0, wallSeconds = 0;                         ///< [s]
+    std::string ending;                                             ///< as in SewReport
+};
+
 /// What a run did and what became of the garment; written as sew.json (docs/formats/sew.md).
 struct SewReport {
     int particles = 0, springsStructural = 0, springsShear = 0, flexion = 0, bending = 0, twist = 0;
@@ -65,8 +73,9 @@ struct SewReport {
     double heldSeconds = 0;  ///< of them after rest, to see whether a waistband stays [s]
     double sleptSeconds = 0; ///< of them in which nothing moved, so that nothing was computed [s]
     int steps = 0, substeps = 0;
-    bool atRest = false;            ///< in a scene of the paper by speed alone: its explicit steps find no equilibrium
-    std::optional<double> residual; ///< largest unbalanced force over the mean particle weight [–]
+    std::optional<CoarseRun> coarse; ///< counted in the seconds and steps above
+    bool atRest = false;             ///< in a scene of the paper by speed alone: its explicit steps find no equilibrium
+    std::optional<double> residual;  ///< largest unbalanced force over the mean particle weight [–]
     double kineticEnergy = 0, gravityEnergy = 0, elasticEnergy = 0; ///< [J]
     std::size_t peakBytes = 0;                                      ///< most memory the process has held
     std::string resultHash;

@@ -100,6 +100,16 @@ Json toJson(const std::optional<cloth::PaperReport>& paper) {
     return json.set("droppedBending", paper ? Json(paper->droppedBending) : Json());
 }
 
+Json toJson(const std::optional<CoarseRun>& coarse) {
+    Json json;
+    json.set("particles", coarse ? Json(coarse->particles) : Json());
+    json.set("steps", coarse ? Json(coarse->steps) : Json());
+    json.set("simulatedSeconds", coarse ? Json(coarse->simulatedSeconds) : Json());
+    json.set("cpuSeconds", coarse ? Json(coarse->cpuSeconds) : Json());
+    json.set("wallSeconds", coarse ? Json(coarse->wallSeconds) : Json());
+    return json.set("ending", coarse ? Json(coarse->ending) : Json());
+}
+
 } // namespace
 
 Json toJson(const SewReport& report) {
@@ -129,6 +139,7 @@ Json toJson(const SewReport& report) {
     json.set("simulatedSeconds", report.simulatedSeconds).set("heldSeconds", report.heldSeconds);
     json.set("sleptSeconds", report.sleptSeconds);
     json.set("cpuSeconds", report.cpuSeconds).set("wallSeconds", report.wallSeconds);
+    json.set("coarse", toJson(report.coarse));
     json.set("steps", report.steps).set("substeps", report.substeps);
     json.set("atRest", report.atRest).set("ending", report.ending).set("residual", numberOrNull(report.residual));
     Json energy;

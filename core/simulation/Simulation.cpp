@@ -82,11 +82,11 @@ Result<Simulation> Simulation::create(Scene scene, const MeshOverrides& override
     return Simulation(std::move(scene), std::move(*parts), overrides);
 }
 
-Result<Simulation> Simulation::continued(Scene scene, const Simulation& before) {
+Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, const MeshOverrides& overrides) {
     const bool sameBody = scene.body && before.scene_.body && scene.body->sameAs(*before.scene_.body);
-    auto parts = partsOf(scene, {}, sameBody ? before.body_ : nullptr);
+    auto parts = partsOf(scene, overrides, sameBody ? before.body_ : nullptr);
     if (!parts) return tl::unexpected(parts.error());
-    Simulation after(std::move(scene), std::move(*parts), {});
+    Simulation after(std::move(scene), std::move(*parts), overrides);
 
     const std::vector<Vec3> draped = before.nodePositions();
     std::vector<Vec3> nodes = after.nodePositions();

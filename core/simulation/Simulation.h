@@ -76,8 +76,10 @@ public:
     [[nodiscard]] static Result<Simulation> create(Scene scene, const MeshOverrides& overrides = {});
 
     /// The changed scene with the drape of the one before, carried over piece by piece by material coordinates;
-    /// pieces that are new start where they are placed. Time goes on.
-    [[nodiscard]] static Result<Simulation> continued(Scene scene, const Simulation& before);
+    /// pieces that are new start where they are placed. Time goes on. The mesh is as the document and the overrides
+    /// say.
+    [[nodiscard]] static Result<Simulation> continued(Scene scene, const Simulation& before,
+                                                      const MeshOverrides& overrides = {});
 
     /// The scene from where a simulation of it stood; integrated by XPBD until drapeWith() says otherwise. Error when
     /// the checkpoint belongs to another scene or mesh.

@@ -43,6 +43,8 @@ private slots:
     void aPictureIsNotBlank();
     void equalRunsGiveEqualBits();
     void aFinerMeshGetsMoreSubsteps();
+    void aFineGarmentIsSewnOnItsOwnMeshFirst();
+    void aCoarserMeshIsNoRefinement();
     void quietSaysNothing();
     void aSeamHeldOpenIsAGoalMissed();
     void aLimitThatIsTooShortIsAGoalMissed();
@@ -136,6 +138,7 @@ void tst_SewCommand::whatIsNotThereIsNull() {
     QVERIFY(json.find("residual")->isNull()); // a run of so many seconds has no finish
     QVERIFY(json.find("finishDisplacementMaximum")->isNull());
     QVERIFY(json.find("finishSeconds")->isNull());
+    QVERIFY(json.find("coarse")->find("particles")->isNull());
     QVERIFY(!contentOf(in("sew.json")).contains("nan"));
 }
 
@@ -239,6 +242,31 @@ void tst_SewCommand::aFinerMeshGetsMoreSubsteps() {
     QCOMPARE(substeps({"--spacing", "200"}), 30.0); // coarser: not fewer
     QCOMPARE(substeps({"--spacing", "40", "--substeps", "20"}), 20.0);
     QVERIFY(substeps({"--substeps", "auto"}) < 30);
+}
+
+void tst_SewCommand::aFineGarmentIsSewnOnItsOwnMeshFirst() {
+    const auto particles = [&](const QStringList& options) {
+        const Finished finished =
+            run(QStringList{"sew", sample("two-squares.toile"), "--report", in("sew.json")} + options);
+        return finished.status == 0 ? *report().find("particles")->asNumber() : -1;
+    };
+    const double own = particles({}), fine = particles({"--spacing", "10"});
+    QVERIFY(own > 0 && fine > own);
+    QCOMPARE(particles({"--spacing", "10", "--refine"}), fine);
+    const Json json = report();
+    const Json& coarse = *json.find("coarse");
+    QCOMPARE(*coarse.find("particles")->asNumber(), own);
+    QCOMPARE(*coarse.find("ending")->asString(), std::string("at rest"));
+    QVERIFY(*coarse.find("simulatedSeconds")->asNumber() < *json.find("simulatedSeconds")->asNumber());
+    QVERIFY(*coarse.find("cpuSeconds")->asNumber() < *json.find("cpuSeconds")->asNumber());
+    QVERIFY(*json.find("atRest")->asBool());
+}
+
+void tst_SewCommand::aCoarserMeshIsNoRefinement() {
+    const Finished finished = run({"sew", sample("two-squares.toile"), "--spacing", "100", "--refine"});
+    QCOMPARE(finished.status, 1);
+    QVERIFY2(finished.err.contains("no coarser than --spacing 100"), qPrintable(finished.err));
+    QVERIFY(finished.err.contains("two-squares.toile"));
 }
 
 void tst_SewCommand::quietSaysNothing() {
@@ -389,6 +417,8 @@ void tst_SewCommand::wrongUsage_data() {
     QTest::newRow("an unknown method") << QStringList{"--method", "magic"};
     QTest::newRow("an unknown arrangement") << QStringList{"--arrange", "tidy"};
     QTest::newRow("so long, and until rest") << QStringList{"--seconds", "3", "--until-rest"};
+    QTest::newRow("refined to nothing") << QStringList{"--refine"};
+    QTest::newRow("refined in no time") << QStringList{"--refine", "--spacing", "20", "--seconds", "3"};
     QTest::newRow("no substep") << QStringList{"--substeps", "0"};
     QTest::newRow("no thread") << QStringList{"--threads", "0"};
     QTest::newRow("a step of nothing") << QStringList{"--step", "0"};

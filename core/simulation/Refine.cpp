@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Refine.h"
+
+namespace toile::simulation {
+
+Result<Refined> refined(Simulation coarse, Scene scene, const MeshOverrides& fine, const SewSettings& settings,
+                        std::stop_token stop, const Progress& progress) {
+    SewSettings unfinished = settings;
+    unfinished.seconds.reset();
+    unfinished.finish = false;
+    const auto sewn = sew(coarse, unfinished, stop, progress);
+    if (!sewn) return tl::unexpected(sewn.error());
+    auto simulation = Simulation::continued(std::move(scene), coarse, fine);
+    if (!simulation) return tl::unexpected(simulation.error());
+    return Refined{std::move(*simulation),
+                   {.particles = sewn->particles,
+                    .steps = sewn->steps,
+                    .simulatedSeconds = sewn->simulatedSeconds,
+                    .heldSeconds = sewn->heldSeconds,
+                    .sleptSeconds = sewn->sleptSeconds,
+                    .cpuSeconds = sewn->cpuSeconds,
+                    .wallSeconds = sewn->wallSeconds,
+                    .ending = sewn->ending}};
+}
+
+SewSettings settingsAfter(const CoarseRun& coarse, SewSettings settings) {
+    if (coarse.heldSeconds > 0) settings.hold = 0;
+    return settings;
+}
+
+void count(const CoarseRun& coarse, SewReport& report) {
+    report.heldSeconds += coarse.heldSeconds;
+    report.sleptSeconds += coarse.sleptSeconds;
+    report.cpuSeconds += coarse.cpuSeconds;
+    report.wallSeconds += coarse.wallSeconds;
+    report.coarse = coarse;
+}
+
+} // namespace toile::simulation
