@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace toile::cloth {
 namespace {
@@ -36,6 +37,43 @@ std::vector<Strain> strains(const Patch& patch, std::span<const Vec3> positions)
         out.push_back(strainOf((p * v.y - q * u.y) / twice, (q * u.x - p * v.x) / twice, 0.5 * twice));
     }
     return out;
+}
+
+std::vector<Strain> meanStrains(const Patch& patch, std::span<const Strain> strains, double radius) {
+    expects(strains.size() == patch.rectangles.size() + patch.triangles.size(), "one strain per element");
+    std::vector<Vec2> middles;
+    for (const PatchRectangle& cell : patch.rectangles)
+        middles.push_back(0.5 * (patch.material[cell.nodes[0]] + patch.material[cell.nodes[2]]));
+    for (const PatchTriangle& cell : patch.triangles)
+        middles.push_back(
+            (patch.material[cell.nodes[0]] + patch.material[cell.nodes[1]] + patch.material[cell.nodes[2]]) / 3);
+
+    const auto squareOf = [radius](Vec2 p) {
+        return std::pair(static_cast<int>(std::floor(p.x / radius)), static_cast<int>(std::floor(p.y / radius)));
+    };
+    std::map<std::pair<int, int>, std::vector<std::size_t>> squares;
+    for (std::size_t i = 0; i < middles.size(); ++i) squares[squareOf(middles[i])].push_back(i);
+
+    std::vector<Strain> means;
+    means.reserve(strains.size());
+    for (std::size_t i = 0; i < middles.size(); ++i) {
+        Strain sum;
+        const auto [column, row] = squareOf(middles[i]);
+        for (int c = column - 1; c <= column + 1; ++c)
+            for (int r = row - 1; r <= row + 1; ++r) {
+                const auto found = squares.find({c, r});
+                if (found == squares.end()) continue;
+                for (const std::size_t k : found->second) {
+                    if (distance(middles[i], middles[k]) > radius) continue;
+                    sum.warp += strains[k].area * strains[k].warp;
+                    sum.weft += strains[k].area * strains[k].weft;
+                    sum.shear += strains[k].area * strains[k].shear;
+                    sum.area += strains[k].area;
+                }
+            }
+        means.push_back({sum.warp / sum.area, sum.weft / sum.area, sum.shear / sum.area, strains[i].area});
+    }
+    return means;
 }
 
 double areaPercentile(std::vector<std::pair<double, double>> valuesAndAreas, double fraction) {

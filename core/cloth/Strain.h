@@ -18,6 +18,10 @@ struct Strain {
 /// Of each rectangle, then of each triangle of the patch: mean over the element.
 [[nodiscard]] std::vector<Strain> strains(const Patch& patch, std::span<const Vec3> positions);
 
+/// For each element the mean over those whose middles lie within a radius of its own on the flat pattern [m], itself
+/// included; areas stay its own. Elements much larger than that are left as they are.
+[[nodiscard]] std::vector<Strain> meanStrains(const Patch& patch, std::span<const Strain> strains, double radius);
+
 /// The value of a quantity that `fraction` [0–1] of the area does not exceed.
 [[nodiscard]] double areaPercentile(std::vector<std::pair<double, double>> valuesAndAreas, double fraction);
 

@@ -2,6 +2,8 @@
 #include "core/simulation/CarryOver.h"
 
 #include "core/base/Contracts.h"
+#include "core/geometry/Polygon.h"
+#include "core/simulation/ParticleMap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,18 +69,33 @@ std::optional<Vec3> DrapedPiece::inside(Vec2 point) const {
 
 Vec3 DrapedPiece::at(Vec2 point) const {
     if (const auto found = inside(point)) return *found;
-    // Outside the old outline: the triangle whose centre is nearest is continued beyond its edge.
+    // Outside the old outline: the triangle that is nearest is continued beyond its edge.
     std::size_t best = 0;
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t t = 0; t < mesh_.display.size(); ++t) {
-        const auto& [a, b, c] = mesh_.display[t];
-        const double d = geometry::squaredLength((mesh_.nodes[a] + mesh_.nodes[b] + mesh_.nodes[c]) / 3 - point);
-        if (d < nearest) {
-            nearest = d;
-            best = t;
+    for (std::size_t t = 0; t < mesh_.display.size(); ++t)
+        for (int k = 0; k < 3; ++k) {
+            const Vec2 from = mesh_.nodes[mesh_.display[t][k]], to = mesh_.nodes[mesh_.display[t][(k + 1) % 3]];
+            const double d = geometry::squaredLength(geometry::closestOnSegment(from, to, point) - point);
+            if (d < nearest) {
+                nearest = d;
+                best = t;
+            }
         }
-    }
     return inTriangle(best, point);
+}
+
+void joinSewn(const meshing::GarmentMesh& mesh, const std::vector<bool>& seams, double gap, std::span<Vec3> nodes) {
+    const ParticleMap map = particleMap(mesh, seams);
+    std::vector<std::vector<std::size_t>> joined(map.particleCount);
+    for (std::size_t node = 0; node < nodes.size(); ++node) joined[map.particleOf[node]].push_back(node);
+    for (const std::vector<std::size_t>& group : joined) {
+        Vec3 middle;
+        for (const std::size_t node : group) middle += nodes[node] / static_cast<double>(group.size());
+        const bool isNear = std::ranges::all_of(
+            group, [&](std::size_t node) { return geometry::distance(nodes[node], middle) <= gap / 2; });
+        if (group.size() > 1 && isNear)
+            for (const std::size_t node : group) nodes[node] = middle;
+    }
 }
 
 } // namespace toile::simulation

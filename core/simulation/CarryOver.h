@@ -28,4 +28,8 @@ private:
     std::vector<std::vector<int>> trianglesIn_; ///< by grid cell
 };
 
+/// Brings nodes that these seams join to their middle, if none lies farther from it than half the gap [m]: sides that
+/// are carried over, each on its own mesh, part a little. nodes: of all pieces, one after the other.
+void joinSewn(const meshing::GarmentMesh& mesh, const std::vector<bool>& seams, double gap, std::span<Vec3> nodes);
+
 } // namespace toile::simulation

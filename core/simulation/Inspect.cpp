@@ -24,15 +24,22 @@ geometry::TriangleMesh clothMesh(const Simulation& simulation) {
     return mesh;
 }
 
-/// Of every element of the pieces that are asked for.
+/// Cloth is judged by no less of it than lies within so much of a place: at a dart's tip, in an armhole's corner the
+/// strain of a membrane has no bound, and an element has the more of it the smaller it is [m].
+constexpr double judgedRadius = 0.005;
+
+/// Of every element of the pieces that are asked for, the mean of what lies within a radius of it [m].
 template <class Wanted>
-std::vector<cloth::Strain> strainsOf(const Simulation& simulation, const Wanted& wanted) {
+std::vector<cloth::Strain> strainsOf(const Simulation& simulation, const Wanted& wanted, double radius = 0) {
     std::vector<cloth::Strain> all;
     const Garment& garment = simulation.garment();
-    for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece)
-        if (wanted(*simulation.scene().pattern.pieces[piece]))
-            for (const cloth::Strain& strain : cloth::strains(elementsOf(garment, piece), simulation.state().positions))
-                all.push_back(strain);
+    for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece) {
+        if (!wanted(*simulation.scene().pattern.pieces[piece])) continue;
+        const cloth::Patch patch = elementsOf(garment, piece);
+        std::vector<cloth::Strain> strains = cloth::strains(patch, simulation.state().positions);
+        if (radius > 0) strains = cloth::meanStrains(patch, strains, radius);
+        all.insert(all.end(), strains.begin(), strains.end());
+    }
     return all;
 }
 
@@ -129,12 +136,17 @@ StrainSummary strainOf(const Simulation& simulation) {
 }
 
 std::optional<StrainSummary> wovenStrainOf(const Simulation& simulation) {
-    const std::vector<cloth::Strain> strains = strainsOf(simulation, [&](const pattern::Piece& piece) {
+    const auto isWoven = [&](const pattern::Piece& piece) {
         const material::Fabric* fabric = pattern::findFabric(simulation.scene().pattern, piece.fabric);
         return fabric && fabric->kind == material::FabricKind::woven;
-    });
+    };
+    const std::vector<cloth::Strain> strains = strainsOf(simulation, isWoven);
     if (strains.empty()) return std::nullopt;
-    return summaryOf(strains);
+    StrainSummary summary = summaryOf(strains);
+    const StrainSummary means = summaryOf(strainsOf(simulation, isWoven, judgedRadius));
+    summary.warpMaximum = means.warpMaximum;
+    summary.weftMaximum = means.weftMaximum;
+    return summary;
 }
 
 CurvatureSummary curvatureOf(const Simulation& simulation) {

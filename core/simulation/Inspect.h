@@ -12,7 +12,8 @@ namespace toile::simulation {
 /// Strain of the garment; zero without an element.
 [[nodiscard]] StrainSummary strainOf(const Simulation& simulation);
 
-/// Strain of its woven pieces; none if all are knits.
+/// Strain of its woven pieces; none if all are knits. The largest stretch is the mean over 10 mm across, or over an
+/// element where that is larger.
 [[nodiscard]] std::optional<StrainSummary> wovenStrainOf(const Simulation& simulation);
 
 /// Curvature of the garment; zero without lines of rectangles.

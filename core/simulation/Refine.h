@@ -11,8 +11,8 @@ struct Refined {
     CoarseRun coarse;
 };
 
-/// Sews a garment on a coarse mesh until it rests, holds it as sew() does, and carries its drape over to a finer mesh of
-/// the same pattern: to sew and to fall into place is cheap there. The fine garment has to come to rest yet, and to
+/// Sews a garment on a coarse mesh until it rests, holds it as sew() does, and carries its drape over to a finer mesh
+/// of the same pattern: to sew and to fall into place is cheap there. The fine garment has to come to rest yet, and to
 /// its equilibrium, which the coarse one is not brought to. Errors: as sew() and Simulation::continued().
 [[nodiscard]] Result<Refined> refined(Simulation coarse, Scene scene, const MeshOverrides& fine,
                                       const SewSettings& settings, std::stop_token stop = {},

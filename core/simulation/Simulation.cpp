@@ -29,6 +29,10 @@ constexpr double handDamping = 5;
 constexpr int handSubsteps = 40;
 /// Of a garment that lay and goes on after an edit, until it lies again [1/s].
 constexpr double editDamping = 12;
+/// By which the sides of a merged seam may part when they are carried over to another mesh: along a curve their chords
+/// rise, and corners of both sides that a coarse mesh sews to each other are a few millimetres apart [m].
+constexpr double partedSides = 0.005;
+
 /// Particles where nodes are; nodes of one particle are taken at their mean.
 std::vector<Vec3> particlePositions(const ParticleMap& map, const std::vector<Vec3>& nodes) {
     std::vector<Vec3> sum(map.particleCount);
@@ -39,6 +43,17 @@ std::vector<Vec3> particlePositions(const ParticleMap& map, const std::vector<Ve
     }
     for (int particle = 0; particle < map.particleCount; ++particle) sum[particle] = sum[particle] / count[particle];
     return sum;
+}
+
+/// Which seams of a pattern are merged in a simulation of the pattern as it was before.
+std::vector<bool> mergedIn(const Simulation& before, const pattern::Pattern& pattern) {
+    const std::vector<pattern::Seam>& old = before.scene().pattern.seams;
+    std::vector<bool> merged;
+    for (const pattern::Seam& seam : pattern.seams) {
+        const auto found = std::ranges::find(old, seam.id, &pattern::Seam::id);
+        merged.push_back(found != old.end() && before.seams()[found - old.begin()].merged);
+    }
+    return merged;
 }
 
 void addCosts(std::vector<StepPlan::StageCost>& sum, const std::vector<StepPlan::StageCost>& more) {
@@ -103,6 +118,7 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, 
         for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
             nodes[after.garment_->particles.firstNode[piece] + node] = drape.at(mesh.nodes[node]);
     }
+    joinSewn(*after.garment_->mesh, mergedIn(before, after.scene_.pattern), partedSides, nodes);
     after.state_.positions = particlePositions(after.garment_->particles, nodes);
     after.state_.time = before.state_.time;
     after.steps_ = before.steps_;

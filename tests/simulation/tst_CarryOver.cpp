@@ -41,7 +41,32 @@ private slots:
     void aLinearFieldIsReproducedOnAnotherMesh();
     void outsideTheOldOutlineALinearFieldGoesOn();
     void aCurvedDrapeIsCarriedWithinTheErrorOfItsMesh();
+    void sewnNodesComeTogetherWhereTheyAreNear();
 };
+
+/// Pairs of a seam are moved apart by more and more from its start; those within the gap meet in their middle.
+void tst_CarryOver::sewnNodesComeTogetherWhereTheyAreNear() {
+    constexpr double gap = 0.005;
+    const Scene scene = twoSquares(0.02);
+    const meshing::GarmentMesh mesh = *meshing::meshGarment(*meshInputOf(scene.pattern));
+    const std::vector<bool> all{true}, none{false};
+    const ParticleMap map = particleMap(mesh, none);
+    std::vector<Vec3> nodes(map.particleOf.size());
+    for (std::size_t k = 0; k < mesh.seams[0].pairs.size(); ++k)
+        nodes[map.node(mesh.seams[0].pairs[k][1])] = {0.001 * static_cast<double>(k), 0, 1};
+    for (std::size_t k = 0; k < mesh.seams[0].pairs.size(); ++k) nodes[map.node(mesh.seams[0].pairs[k][0])] = {0, 0, 1};
+    const std::vector<Vec3> apart = nodes;
+
+    joinSewn(mesh, none, gap, nodes);
+    QVERIFY(nodes == apart);
+    joinSewn(mesh, all, gap, nodes);
+    QVERIFY(mesh.seams[0].pairs.size() > 6);
+    for (std::size_t k = 0; k < mesh.seams[0].pairs.size(); ++k) {
+        const int a = map.node(mesh.seams[0].pairs[k][0]), b = map.node(mesh.seams[0].pairs[k][1]);
+        if (k <= 5) QVERIFY(distance(nodes[a], nodes[b]) == 0 && distance(nodes[a], (apart[a] + apart[b]) / 2) < 1e-15);
+        else QVERIFY(nodes[a] == apart[a] && nodes[b] == apart[b]);
+    }
+}
 
 void tst_CarryOver::aConstantFieldStaysConstant() {
     const meshing::PieceMesh mesh = meshOf(0.03), other = meshOf(0.013);

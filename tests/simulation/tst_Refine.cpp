@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/Refine.h"
 #include "SmallScenes.h"
+#include "core/simulation/Refine.h"
 #include "tests/simulation/Sewn.h"
 
 #include <QTest>
@@ -103,8 +103,13 @@ void tst_Refine::whatTheCoarseRunTookIsCounted() {
     report.simulatedSeconds = 5; // of the state's clock, which went on
     report.cpuSeconds = 2;
     report.wallSeconds = 1;
-    const CoarseRun coarse{.particles = 7, .simulatedSeconds = 3, .heldSeconds = 2, .sleptSeconds = 1, .cpuSeconds = 4,
-                           .wallSeconds = 3, .ending = "at rest"};
+    const CoarseRun coarse{.particles = 7,
+                           .simulatedSeconds = 3,
+                           .heldSeconds = 2,
+                           .sleptSeconds = 1,
+                           .cpuSeconds = 4,
+                           .wallSeconds = 3,
+                           .ending = "at rest"};
     count(coarse, report);
     QCOMPARE(report.cpuSeconds, 6.0);
     QCOMPARE(report.wallSeconds, 4.0);
