@@ -51,8 +51,8 @@ std::vector<Strain> strainsBy(const Patch& patch, const Field& field) {
     for (const Vec2 p : middlesOf(patch)) {
         const double cell = patch.material[1].x - patch.material[0].x;
         const bool isTriangle = strains.size() >= patch.rectangles.size();
-        strains.push_back({.warp = field(p), .weft = -field(p), .shear = 2 * field(p),
-                           .area = cell * cell * (isTriangle ? 0.5 : 1)});
+        strains.push_back(
+            {.warp = field(p), .weft = -field(p), .shear = 2 * field(p), .area = cell * cell * (isTriangle ? 0.5 : 1)});
     }
     return strains;
 }
@@ -120,7 +120,8 @@ void tst_Strain::whatHasNoBoundInAPointHasOneRoundIt() {
         QVERIFY(largest(strains) > 1.3 * before);
         before = largest(strains);
         const double expected = 4.0 / 3 * besideTip({radius, 0}), found = largest(meanStrains(patch, strains, radius));
-        QVERIFY2(std::abs(found - expected) < 0.05 * expected, qPrintable(QString("%1 of %2").arg(found).arg(expected)));
+        QVERIFY2(std::abs(found - expected) < 0.05 * expected,
+                 qPrintable(QString("%1 of %2").arg(found).arg(expected)));
     }
 }
 
