@@ -40,9 +40,22 @@ private slots:
     void aLinearFieldIsReproducedOnAnotherMesh_data();
     void aLinearFieldIsReproducedOnAnotherMesh();
     void outsideTheOldOutlineALinearFieldGoesOn();
+    void outsideItTheTriangleAtHandGoesOn();
     void aCurvedDrapeIsCarriedWithinTheErrorOfItsMesh();
     void sewnNodesComeTogetherWhereTheyAreNear();
 };
+
+/// Below the long side of a flat triangle, beside a small one that stands up and whose centre is nearer.
+void tst_CarryOver::outsideItTheTriangleAtHandGoesOn() {
+    meshing::PieceMesh mesh;
+    mesh.nodes = {{0, 0}, {0.3, 0}, {0.15, 0.3}, {0.32, 0}, {0.3, 0.02}};
+    mesh.display = {{0, 1, 2}, {1, 3, 4}};
+    std::vector<Vec3> positions;
+    for (const Vec2 p : mesh.nodes) positions.push_back({p.x, p.y, 0});
+    positions[3] = {0.3, 0, 0.02};
+    const DrapedPiece drape(mesh, positions);
+    QVERIFY(geometry::distance(drape.at({0.28, -0.001}), {0.28, -0.001, 0}) < rounding);
+}
 
 /// Pairs of a seam are moved apart by more and more from its start; those within the gap meet in their middle.
 void tst_CarryOver::sewnNodesComeTogetherWhereTheyAreNear() {

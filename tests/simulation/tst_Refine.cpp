@@ -12,7 +12,7 @@ namespace {
 
 constexpr double coarseSpacing = 0.05, fineSpacing = 0.025;
 
-/// Two squares that hang by the upper corner of one.
+/// Two squares that hang by the upper edge of one.
 Scene hanging() {
     Scene scene = twoSquares(coarseSpacing);
     scene.settings.gravity = {0, -9.81, 0};
