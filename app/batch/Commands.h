@@ -35,6 +35,7 @@ struct SewOptions {
     std::optional<pattern::LineRule> rule;
     std::optional<double> seconds; ///< [s]; absent = until rest
     bool refine = false;           ///< sews on the document's own mesh first
+    bool selfContact = false;      ///< also where the document does not ask for it
     double limit = 20;             ///< [s]
     double hold = 10;              ///< after rest, of garments without a neck opening [s]
     std::optional<double> step;    ///< frame step [s]

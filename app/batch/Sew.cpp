@@ -39,6 +39,7 @@ Result<void> checked(const SewOptions& options) {
 
 void applyOptions(OpenedScene& opened, const SewOptions& options) {
     simulation::Scene& scene = opened.scene;
+    scene.settings.selfContact |= options.selfContact;
     scene.paper = options.paper;
     if (options.step) scene.settings.frameStep = *options.step;
     if (options.arrange && scene.body) scene.pattern = simulation::startingClearOf(scene.pattern, **scene.body);

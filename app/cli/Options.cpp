@@ -86,6 +86,8 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     auto* refine = command->add_flag("--refine", options->refine,
                                      "sew on the document's own mesh first, and carry the drape over to --spacing");
     refine->needs(spacing)->excludes(seconds);
+    auto* selfContact =
+        command->add_flag("--self-contact", options->selfContact, "keep the cloth's layers apart, asked for or not");
     command->add_option("--limit", options->limit, "give up waiting for rest after so many simulated seconds [s]")
         ->check(CLI::Range(0.1, 3600.0));
     command
@@ -100,7 +102,8 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
         ->add_flag("--paper", options->paper,
                    "the 2002 paper end to end: its mesh, springs alone, a sewing force, explicit steps by regions")
         ->excludes(method)
-        ->excludes(refine);
+        ->excludes(refine)
+        ->excludes(selfContact);
     const auto isAuto = [](const std::string& text) { return std::string(text == "auto" ? "" : "only auto is known"); };
     command
         ->add_option_function<std::string>(

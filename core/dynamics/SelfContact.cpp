@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace toile::dynamics {
 namespace {
@@ -35,7 +36,9 @@ SelfContact::SelfContact(const cloth::ClothModel& model, ClothSurface surface, S
     std::vector<double> rooms = surface_.room;
     const auto middle = rooms.begin() + std::ssize(rooms) / 2;
     std::nth_element(rooms.begin(), middle, rooms.end());
-    mostSlack_ = rooms.empty() ? settings_.slack : std::min(settings_.slack, settings_.slackOfRoom * *middle);
+    const double room = rooms.empty() ? std::numeric_limits<double>::infinity() : *middle;
+    mostSlack_ = std::min(settings_.slack, settings_.slackOfRoom * room);
+    mostStaticMove_ = std::min(settings_.staticMove, settings_.staticMoveOfRoom * room);
 }
 
 std::size_t SelfContact::bytes() const {
@@ -43,8 +46,8 @@ std::size_t SelfContact::bytes() const {
         from_.capacity() + moves_.capacity() + wanted_.capacity() + anchors_.capacity() + iterationStart_.capacity();
     return vectors * sizeof(Vec3) + flags_.capacity() + watches_.capacity() * sizeof(Watch) +
            contacts_.capacity() * sizeof(Contact) + rubbing_.capacity() * sizeof(Rubbing) +
-           margins_.capacity() * sizeof(Margin) + awake_.capacity() * sizeof(std::size_t) +
-           (proximity_ ? proximity_->bytes() : 0);
+           coming_.capacity() * sizeof(Coming) + margins_.capacity() * sizeof(Margin) +
+           awake_.capacity() * sizeof(std::size_t) + (proximity_ ? proximity_->bytes() : 0);
 }
 
 void SelfContact::beginStep(const ParticleState&, double duration) {

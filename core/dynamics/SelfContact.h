@@ -39,10 +39,11 @@ struct SelfContactSettings {
     int sweeps = 2;            ///< over the pairs that touch, in a substep
     std::size_t mostPairs = 3'000'000; ///< watched at a time [–]: half a gigabyte
 
-    double stiffness = 2.5e6;   ///< of statics, per mass of a particle [1/s²]: 500 Pa press 0.1 kg/m² to 0.8 of
-                                ///< its thickness of 0.5 mm, and never to nothing
-    double frictionGive = 1e-4; ///< way over which statics builds friction up to μN [m]
-    double staticMove = 0.0025; ///< of a particle in one iteration of statics, at most [m]
+    double stiffness = 2.5e6;       ///< of statics, per mass of a particle [1/s²]: 500 Pa press 0.1 kg/m² to 0.8 of
+                                    ///< its thickness of 0.5 mm, and never to nothing
+    double frictionGive = 1e-4;     ///< way over which statics builds friction up to μN [m]
+    double staticMove = 0.0025;     ///< of a particle in one iteration of statics, at most [m]
+    double staticMoveOfRoom = 0.18; ///< and so much of the middle room of particles [–]
 };
 
 /// Keeps the layers of a cloth apart by its thickness, with Coulomb friction between them. docs/collision.md
@@ -108,6 +109,11 @@ private:
         std::array<double, 4> weights{}; ///< of the shortest way then
         double friction = 0;             ///< √(μ₁μ₂) [–]
         double normalForce = 0;          ///< running mean of the substeps, then as friction was fixed [N]
+    };
+    /// A pair that an iteration of statics may bring to its target.
+    struct Coming {
+        std::size_t pair = 0;
+        double distance = 0; ///< beyond its target, where the iteration began [m]
     };
     /// Friction of a pair, as it was fixed for statics.
     struct Rubbing {
@@ -184,14 +190,16 @@ private:
     [[nodiscard]] double pressureAt(const Watch& watch, double distance) const;
     [[nodiscard]] Vec3 slipOf(const Rubbing& pair, std::span<const Vec3> positions) const;
     [[nodiscard]] bool isFar(const Watch& watch, const Contact& contact, std::span<const Vec3> positions) const;
+    template <class Visit>
+    void forPressed(std::span<const Vec3> positions, const Visit& visit) const;
 
     const cloth::ClothModel& model_;
     ClothSurface surface_;
     SelfContactSettings settings_;
-    std::vector<double> mass_; ///< of particles; of slaves, what their masters make of it [kg]
-    std::vector<int> slaveOf_; ///< index into model.slaves, −1 = none
-    double thickest_ = 0;      ///< largest target [m]
-    double mostSlack_ = 0;     ///< of the settings, for this cloth [m]
+    std::vector<double> mass_;                  ///< of particles; of slaves, what their masters make of it [kg]
+    std::vector<int> slaveOf_;                  ///< index into model.slaves, −1 = none
+    double thickest_ = 0;                       ///< largest target [m]
+    double mostSlack_ = 0, mostStaticMove_ = 0; ///< of the settings, for this cloth [m]
 
     std::optional<collision::SelfProximity> proximity_; ///< from the first step on
     std::vector<Watch> watches_;
@@ -216,6 +224,8 @@ private:
     std::vector<double> fraction_;      ///< of its way that a particle goes; empty until one is shortened
     std::vector<Rubbing> rubbing_;      ///< of statics
     std::vector<Vec3> iterationStart_;  ///< of statics [m]
+    std::vector<Coming> coming_;        ///< of statics, since the iteration began
+    bool isComingKnown_ = false;        ///< and of the pairs that are watched
     std::vector<Vec3> anchors_;         ///< where particles were at the start of statics; empty until then [m]
 };
 

@@ -38,6 +38,7 @@ void SelfContact::hold(std::span<const Vec3> from, std::span<Vec3> positions) {
     const auto isKnown = [&](std::span<const Vec3> at) { return farthestMove(from_, at) <= 2 * staticMove_; };
     if (from_.size() == positions.size() && isKnown(from) && isKnown(positions)) {
         moves_.assign(positions.size(), Vec3{}); // nothing was foreseen
+        wake(farthestMove(from_, from), way);    // what is apart at the end of the way may be near at its start
         for (const std::size_t i : awake_) watches_[i].before = leastDistance(watches_[i], from);
         static_cast<void>(holdApart(way));
         return;

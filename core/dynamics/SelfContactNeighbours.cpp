@@ -148,6 +148,7 @@ bool SelfContact::watch(const collision::SelfProximity::Pairs& pairs, std::span<
 
     watches_.clear();
     contacts_.clear();
+    isComingKnown_ = false;
     watches_.reserve(pairs->size());
     contacts_.reserve(pairs->size());
     for (const auto& [pair, distance] : *pairs) {

@@ -18,6 +18,7 @@ using collision::separationOf;
 /// Less is no force [N]: a thousandth of the weight of 10 mm² of light cloth.
 constexpr double leastForce = 1e-8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-12; // [m]
 
 /// The potential of statics over s = distance / target in (0, 1): −(1 − s)² ln s. Soft where layers begin to
 /// touch, without a jump in its curvature, and infinite where they meet. Ref: Li et al. 2020, §4.
@@ -92,20 +93,42 @@ void SelfContact::beginIteration(std::span<const Vec3> positions) {
     keepNeighbours(positions);
     iterationStart_.assign(positions.begin(), positions.end());
     moves_.clear();
+    coming_.clear();
+    isComingKnown_ = true;
     for (std::size_t i = 0; i < watches_.size(); ++i)
-        if (leastDistance(watches_[i], positions) < watches_[i].target + 2 * staticMove_)
+        if (const double beyond = leastDistance(watches_[i], positions) - watches_[i].target;
+            beyond <= 2 * staticMove_) {
             look(watches_[i], contacts_[i], positions);
+            coming_.push_back({i, beyond});
+        }
+}
+
+/// visit(watch, contact) for the pairs of which something may be felt. Those that are farther beyond their target than
+/// both ends have moved since the iteration began are not even looked at.
+template <class Visit>
+void SelfContact::forPressed(std::span<const Vec3> positions, const Visit& visit) const {
+    const auto see = [&](std::size_t i) {
+        if (!isFar(watches_[i], contacts_[i], positions)) visit(watches_[i], contacts_[i]);
+    };
+    const double moved = isComingKnown_ ? farthestMove(iterationStart_, positions) : infinity;
+    if (moved <= staticMove_) {
+        for (const Coming& coming : coming_)
+            if (coming.distance <= 2 * moved + rounding) see(coming.pair);
+    } else {
+        for (std::size_t i = 0; i < watches_.size(); ++i) see(i);
+    }
 }
 
 /// Where pairs would be too many, particles may move by less.
 void SelfContact::seekForStatics(std::span<const Vec3> positions) {
     prepareSearch(positions);
     for (ahead_ = std::min(1.0, 2 * ahead_); ahead_ >= leastAhead; ahead_ *= 0.5) {
-        staticMove_ = ahead_ * settings_.staticMove;
+        staticMove_ = ahead_ * mostStaticMove_;
         if (watch(proximity_->pairsWithin(4 * staticMove_ + thickest_, positions, settings_.mostPairs), positions))
             return;
     }
     staticMove_ = 0;
+    isComingKnown_ = false;
     watches_.clear();
     contacts_.clear();
     from_.assign(positions.begin(), positions.end());
@@ -114,25 +137,20 @@ void SelfContact::seekForStatics(std::span<const Vec3> positions) {
 double SelfContact::energy(std::span<const Vec3> positions) const {
     if (farthestMove(iterationStart_, positions) > staticMove_) return infinity;
     double sum = 0;
-    for (std::size_t i = 0; i < watches_.size(); ++i) {
-        const Watch& watch = watches_[i];
-        const Contact& contact = contacts_[i];
-        if (isFar(watch, contact, positions)) continue;
-        if (gapAlong(contact.direction, watch.elements, positions) < justEnough * keptOf(contact.start))
-            return infinity;
+    forPressed(positions, [&](const Watch& watch, const Contact& contact) {
+        if (gapAlong(contact.direction, watch.elements, positions) < justEnough * keptOf(contact.start)) sum = infinity;
+        if (sum == infinity) return;
         const double distance = separationOf(watch.elements, positions).distance;
         sum += shareOf(watch.elements, positions).value * storedAt(watch, distance);
-    }
+    });
+    if (sum == infinity) return infinity;
     for (const Rubbing& pair : rubbing_)
         sum += pair.force * smoothLength(length(slipOf(pair, positions)), settings_.frictionGive);
     return sum;
 }
 
 void SelfContact::addForces(std::span<const Vec3> positions, std::span<Vec3> forces) const {
-    for (std::size_t i = 0; i < watches_.size(); ++i) {
-        const Watch& watch = watches_[i];
-        const Contact& contact = contacts_[i];
-        if (isFar(watch, contact, positions)) continue;
+    forPressed(positions, [&](const Watch& watch, const Contact&) {
         const auto& v = watch.elements.vertices;
         const Separation found = separationOf(watch.elements, positions);
         if (found.distance < watch.target && found.distance > noDistance) {
@@ -141,7 +159,7 @@ void SelfContact::addForces(std::span<const Vec3> positions, std::span<Vec3> for
             const double stored = storedAt(watch, found.distance);
             for (int k = 0; k < 4; ++k) forces[v[k]] += found.weights[k] * force - stored * share.slope[k];
         }
-    }
+    });
     for (const Rubbing& pair : rubbing_) {
         const Vec3 slip = slipOf(pair, positions);
         const double drag = pair.force * smoothSlopeOverLength(length(slip), settings_.frictionGive);
@@ -158,10 +176,7 @@ void SelfContact::addHessian(std::span<const Vec3> positions, HessianSink& sink)
                 sink.add(v[i], v[k], block);
             }
     };
-    for (std::size_t i = 0; i < watches_.size(); ++i) {
-        const Watch& watch = watches_[i];
-        const Contact& contact = contacts_[i];
-        if (isFar(watch, contact, positions)) continue;
+    forPressed(positions, [&](const Watch& watch, const Contact&) {
         const Separation found = separationOf(watch.elements, positions);
         if (found.distance < watch.target && found.distance > noDistance) {
             double pressed[9] = {};
@@ -170,7 +185,7 @@ void SelfContact::addHessian(std::span<const Vec3> positions, HessianSink& sink)
                          barrierCurvature(found.distance / watch.target));
             add(watch.elements.vertices, found.weights, pressed);
         }
-    }
+    });
     for (const Rubbing& pair : rubbing_) {
         double rubbed[9] = {};
         addFrictionCurvature(rubbed, slipOf(pair, positions), pair.direction, pair.force, settings_.frictionGive);

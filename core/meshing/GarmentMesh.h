@@ -87,6 +87,7 @@ struct FoldReport {
 /// Quality of one piece; see docs/meshing.md.
 struct PieceReport {
     std::string label;
+    double spacing = 0;                                                  ///< ε_m of the piece, 0 = of several [m]
     int nodes = 0, slaves = 0, quads = 0, triangles = 0, rectangles = 0; ///< of the displayed mesh
     double rectangleFraction = 0;
     double minimumAngle = 0, maximumAngle = 0, inputMinimumAngle = 0; ///< [rad]

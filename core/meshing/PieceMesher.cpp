@@ -115,6 +115,7 @@ void reportOn(const PieceInput& piece, const PieceBoundary& boundary, const Boun
     counts.regions = std::move(report.regions);
     report = std::move(counts);
     report.label = piece.label;
+    report.spacing = piece.spacing;
     for (std::size_t fold = 0; fold < piece.folds.size(); ++fold)
         report.folds.push_back(reportOnFold(piece.folds[fold], mesh, mesh.folds[fold]));
     if (!judged) return;

@@ -125,9 +125,9 @@ std::vector<std::vector<int>> broughtNearBySeams(const Garment& garment, const s
     return brought;
 }
 
-double largestSpacing(const Scene& scene) {
+double largestSpacing(const meshing::GarmentMesh& mesh) {
     double largest = 0;
-    for (const auto& piece : scene.pattern.pieces) largest = std::max(largest, piece->spacing);
+    for (const meshing::PieceReport& piece : mesh.report.pieces) largest = std::max(largest, piece.spacing);
     return largest;
 }
 
@@ -143,7 +143,7 @@ bool canReachItself(const Garment& garment) {
     return common.empty() && triangles.size() > 2;
 }
 
-std::unique_ptr<dynamics::SelfContact> selfContactOf(const Scene& scene, const Garment& garment) {
+dynamics::ClothSurface clothSurfaceOf(const Scene& scene, const Garment& garment) {
     const std::vector<RestTriangle> triangles = restTriangles(garment, garment.particles);
     dynamics::ClothSurface surface;
     const bool layered = std::ranges::any_of(
@@ -155,8 +155,12 @@ std::unique_ptr<dynamics::SelfContact> selfContactOf(const Scene& scene, const G
     surface.halfThickness = garment.halfThickness;
     surface.friction = garment.friction;
     surface.room = roomOf(triangles, garment.particles.particleCount);
-    surface.ignored = broughtNearBySeams(garment, triangles, 2 * largestSpacing(scene));
-    return std::make_unique<dynamics::SelfContact>(garment.model, std::move(surface));
+    surface.ignored = broughtNearBySeams(garment, triangles, 2 * largestSpacing(*garment.mesh));
+    return surface;
+}
+
+std::unique_ptr<dynamics::SelfContact> selfContactOf(const Scene& scene, const Garment& garment) {
+    return std::make_unique<dynamics::SelfContact>(garment.model, clothSurfaceOf(scene, garment));
 }
 
 } // namespace toile::simulation

@@ -12,8 +12,11 @@ namespace toile::simulation {
 /// Whether two triangles of the cloth have no corner in common: else it cannot reach itself.
 [[nodiscard]] bool canReachItself(const Garment& garment);
 
-/// The stage that keeps the layers of this garment apart: thickness and friction from the fabrics. Near an
-/// open seam its two sides do not push each other.
+/// This garment as a surface that must not pass through itself: thickness and friction from the fabrics. Within two
+/// main spacings of its mesh along the sewn cloth, particles that an open seam brings there are ignored.
+[[nodiscard]] dynamics::ClothSurface clothSurfaceOf(const Scene& scene, const Garment& garment);
+
+/// The stage that keeps the layers of this garment apart.
 [[nodiscard]] std::unique_ptr<dynamics::SelfContact> selfContactOf(const Scene& scene, const Garment& garment);
 
 } // namespace toile::simulation

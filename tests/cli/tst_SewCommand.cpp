@@ -9,6 +9,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <csignal>
 
 using namespace toile;
@@ -45,6 +46,7 @@ private slots:
     void aFinerMeshGetsMoreSubsteps();
     void aFineGarmentIsSewnOnItsOwnMeshFirst();
     void aCoarserMeshIsNoRefinement();
+    void selfContactCanBeAskedForWhereTheDocumentDoesNot();
     void quietSaysNothing();
     void aSeamHeldOpenIsAGoalMissed();
     void aLimitThatIsTooShortIsAGoalMissed();
@@ -269,6 +271,19 @@ void tst_SewCommand::aCoarserMeshIsNoRefinement() {
     QVERIFY(finished.err.contains("two-squares.toile"));
 }
 
+void tst_SewCommand::selfContactCanBeAskedForWhereTheDocumentDoesNot() {
+    const auto hasStage = [&](const QStringList& options) {
+        const Finished finished =
+            run(QStringList{"sew", sample("two-squares.toile"), "--report", in("sew.json")} + options);
+        if (finished.status != 0) qFatal("%s", qPrintable(finished.err));
+        const Json json = report();
+        return std::ranges::any_of(*json.find("stages")->asArray(),
+                                   [](const Json& stage) { return *stage.find("name")->asString() == "self-contact"; });
+    };
+    QVERIFY(!hasStage({}));
+    QVERIFY(hasStage({"--self-contact"}));
+}
+
 void tst_SewCommand::quietSaysNothing() {
     const Finished finished = run({"sew", sample("two-squares.toile"), "--quiet"});
     QCOMPARE(finished.status, 0);
@@ -417,6 +432,7 @@ void tst_SewCommand::wrongUsage_data() {
     QTest::newRow("an unknown method") << QStringList{"--method", "magic"};
     QTest::newRow("an unknown arrangement") << QStringList{"--arrange", "tidy"};
     QTest::newRow("so long, and until rest") << QStringList{"--seconds", "3", "--until-rest"};
+    QTest::newRow("the paper has no self-contact") << QStringList{"--paper", "--self-contact"};
     QTest::newRow("refined to nothing") << QStringList{"--refine"};
     QTest::newRow("refined in no time") << QStringList{"--refine", "--spacing", "20", "--seconds", "3"};
     QTest::newRow("no substep") << QStringList{"--substeps", "0"};

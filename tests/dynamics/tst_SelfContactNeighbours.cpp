@@ -82,6 +82,7 @@ private slots:
     void aFastParticleBringsItsOwnNeighboursOnly();
     void noPairIsMissedWhateverPartOfTheirWaysParticlesGo();
     void besideACrossingAllButWhatMustPassIsWatched();
+    void whatWasSoughtBeyondALayerIsHeldBeforeIt();
     void withRoomForFewPairsLayersStayApart_data();
     void withRoomForFewPairsLayersStayApart();
     void withRoomForFewPairsWaysAreCut();
@@ -158,6 +159,23 @@ void tst_SelfContactNeighbours::besideACrossingAllButWhatMustPassIsWatched() {
                       watched = substep.contact.nearPairs();
     QVERIFY2(crossings > 10 && watched < all && watched + perCrossing * crossings >= all,
              qPrintable(QString("%1 of %2 pairs, %3 crossings").arg(watched).arg(all).arg(crossings)));
+}
+
+/// An explicit method may look at forces where a sheet has gone through another, and there seek neighbours, before it is
+/// held on its way.
+void tst_SelfContactNeighbours::whatWasSoughtBeyondALayerIsHeldBeforeIt() {
+    const Cloth cloth = twoSheets(10, 0.001);
+    SelfContact contact(cloth.model, cloth.surface, {.staticMove = 0.002, .staticMoveOfRoom = 1});
+    const std::vector<Vec3>& from = cloth.state.positions;
+    std::vector<Vec3> beyond = from;
+    for (std::size_t p = from.size() / 2; p < from.size(); ++p) beyond[p].y = -0.002;
+    contact.beginStep(cloth.state, frame);
+    contact.fixFriction(from);
+    contact.beginIteration(beyond);
+    QCOMPARE(contact.searches(), 2);
+    std::vector<Vec3> held = beyond;
+    contact.hold(from, held);
+    for (std::size_t p = from.size() / 2; p < from.size(); ++p) QVERIFY(held[p].y > 0);
 }
 
 void tst_SelfContactNeighbours::withRoomForFewPairsLayersStayApart_data() {
