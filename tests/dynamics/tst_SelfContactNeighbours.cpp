@@ -161,8 +161,8 @@ void tst_SelfContactNeighbours::besideACrossingAllButWhatMustPassIsWatched() {
              qPrintable(QString("%1 of %2 pairs, %3 crossings").arg(watched).arg(all).arg(crossings)));
 }
 
-/// An explicit method may look at forces where a sheet has gone through another, and there seek neighbours, before it is
-/// held on its way.
+/// An explicit method may look at forces where a sheet has gone through another, and there seek neighbours, before it
+/// is held on its way.
 void tst_SelfContactNeighbours::whatWasSoughtBeyondALayerIsHeldBeforeIt() {
     const Cloth cloth = twoSheets(10, 0.001);
     SelfContact contact(cloth.model, cloth.surface, {.staticMove = 0.002, .staticMoveOfRoom = 1});
