@@ -88,13 +88,14 @@ Simulation::Simulation(Scene scene, SceneParts parts, MeshOverrides overrides)
     for (std::size_t tack = 0; tack < tacks_.size(); ++tack) tacks_[tack].initialGap = gapOfTack(tack);
     if (seams_.empty() && tacks_.empty()) phase_ = Phase::draping;
     startDue();
-    rebuildPlan();
 }
 
 Result<Simulation> Simulation::create(Scene scene, const MeshOverrides& overrides) {
     auto parts = partsOf(scene, overrides);
     if (!parts) return tl::unexpected(parts.error());
-    return Simulation(std::move(scene), std::move(*parts), overrides);
+    Simulation made(std::move(scene), std::move(*parts), overrides);
+    made.rebuildPlan();
+    return made;
 }
 
 Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, const MeshOverrides& overrides) {
@@ -285,10 +286,11 @@ Result<void> Simulation::advance(std::stop_token stop) {
     ++steps_;
     const Speeds speeds = speedsOf(garment_->model.mass, before.positions, state_.positions, duration);
     largestSpeed_ = speeds.largest;
-    if (const auto sewn = mergeReadySeams(); !sewn) return sewn;
-    holdClosedTacks();
+    const auto merged = mergeReadySeams();
+    if (!merged) return tl::unexpected(merged.error());
+    const bool closed = closeReadyTacks();
     if (!closingSeams().empty() || closingTacks() > 0 || restingTime_ >= longEnough) goesOnAsItLay_ = false;
-    goOnDressing();
+    goOnDressing(*merged || closed);
     const bool isLeftAlone = phase_ == Phase::draping && !motion_;
     restingTime_ = isLeftAlone && speeds.areOfRest() ? restingTime_ + duration : 0;
     stillTime_ = isLeftAlone && speeds.areStill() ? stillTime_ + duration : 0;

@@ -185,12 +185,12 @@ private:
     [[nodiscard]] bool isOver(double start) const; ///< what began to close then is given up by now
     [[nodiscard]] std::size_t closingTacks() const;
     [[nodiscard]] bool hasClosed(const TackState& tack) const;
-    void holdClosedTacks();
+    [[nodiscard]] bool closeReadyTacks();
     [[nodiscard]] std::vector<std::size_t> closingSeams() const;
     [[nodiscard]] bool mayMerge(std::size_t seam) const;
-    [[nodiscard]] Result<void> mergeReadySeams();
+    [[nodiscard]] Result<bool> mergeReadySeams();
     void startDue();
-    void goOnDressing();
+    void goOnDressing(bool closedSome);
 
     Scene scene_;
     std::unique_ptr<const Garment> garment_; ///< the integrator keeps a reference to its model

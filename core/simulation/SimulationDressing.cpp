@@ -91,7 +91,7 @@ bool Simulation::mayMerge(std::size_t seam) const {
     });
 }
 
-Result<void> Simulation::mergeReadySeams() {
+Result<bool> Simulation::mergeReadySeams() {
     std::vector<bool> mergedSeams = garment_->mergedSeams;
     bool changed = false;
     for (const std::size_t seam : closingSeams()) {
@@ -99,7 +99,7 @@ Result<void> Simulation::mergeReadySeams() {
         seams_[seam].gapAtMerge = gapOf(seam).maximum;
         mergedSeams[seam] = changed = true;
     }
-    if (!changed) return {};
+    if (!changed) return false;
     auto sewn = makeGarment(scene_.pattern, garment_->mesh, std::move(mergedSeams), scene_.paper);
     if (!sewn) return tl::unexpected(sewn.error());
     state_ = merged(state_, *garment_, *sewn);
@@ -107,8 +107,7 @@ Result<void> Simulation::mergeReadySeams() {
     levels_.reset();
     whyNoLevels_.clear();
     for (std::size_t seam = 0; seam < seams_.size(); ++seam) seams_[seam].merged = garment_->mergedSeams[seam];
-    rebuildPlan();
-    return {};
+    return true;
 }
 
 bool Simulation::hasClosed(const TackState& tack) const {
@@ -117,21 +116,21 @@ bool Simulation::hasClosed(const TackState& tack) const {
            length(wayBetween(tack, particles, state_.velocities)) <= tackSettings.closedSpeed;
 }
 
-/// From now on their threads hold with their whole strength, also where forces are solved for.
-void Simulation::holdClosedTacks() {
+/// From then on their threads hold with their whole strength, also where forces are solved for.
+bool Simulation::closeReadyTacks() {
     bool changed = false;
     for (TackState& tack : tacks_)
         if (tack.start >= 0 && !tack.closed && hasClosed(tack)) tack.closed = changed = true;
-    if (changed) rebuildPlan();
+    return changed;
 }
 
-void Simulation::goOnDressing() {
+void Simulation::goOnDressing(bool closedSome) {
     const std::size_t closing = closingSeams().size() + closingTacks();
     startDue();
     const Phase due = duePhase();
     if (due != phase_ && phase_ == Phase::sewing) sewnTime_ = state_.time;
-    if (due == phase_ && closingSeams().size() + closingTacks() == closing && damping() == plannedDamping_ &&
-        !(plannedLevels_ && !levelsMayHelp()))
+    if (!closedSome && due == phase_ && closingSeams().size() + closingTacks() == closing &&
+        damping() == plannedDamping_ && !(plannedLevels_ && !levelsMayHelp()))
         return;
     phase_ = due;
     rebuildPlan();

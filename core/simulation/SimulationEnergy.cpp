@@ -59,7 +59,7 @@ void Simulation::sleepFor(double duration) {
     largestSpeed_ = 0;
     ++steps_;
     note(duration, {.parts = 0});
-    goOnDressing();
+    goOnDressing(false);
 }
 
 } // namespace toile::simulation
