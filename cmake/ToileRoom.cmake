@@ -16,6 +16,16 @@ function(toile_room name)
     target_link_libraries(toile_${name} PUBLIC toile_options ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE_LINKS})
 endfunction()
 
+# OpenBLAS takes other kernels on another kind of processor, and the last bits of a factor are others. Tests, which hold
+# figures of the pages against the program, take the same wherever they can.
+set(TOILE_TEST_KERNELS)
+if(EXISTS /proc/cpuinfo)
+    file(STRINGS /proc/cpuinfo avx2 REGEX " avx2" LIMIT_COUNT 1)
+    if(avx2)
+        set(TOILE_TEST_KERNELS OPENBLAS_CORETYPE=Haswell)
+    endif()
+endif()
+
 # toile_tests(ROOM [COMMON header] [LINKS library...] [DEPENDS target...])
 # Every tst_<Unit>.cpp of the folder ROOM is one QtTest program, labelled with the room: `ctest -L ROOM`. The target
 # `tests_ROOM` builds them. Headers of the tests are parsed once for all rooms, or with a COMMON header, which many
@@ -50,7 +60,7 @@ function(toile_tests room)
         endif()
         add_test(NAME ${test} COMMAND ${test})
         set_tests_properties(${test} PROPERTIES LABELS ${room} TIMEOUT 900
-            ENVIRONMENT "QT_QPA_PLATFORM=offscreen;TOILE_SOURCE_DIR=${CMAKE_SOURCE_DIR};TOILE_BINARY_DIR=${CMAKE_BINARY_DIR}")
+            ENVIRONMENT "QT_QPA_PLATFORM=offscreen;TOILE_SOURCE_DIR=${CMAKE_SOURCE_DIR};TOILE_BINARY_DIR=${CMAKE_BINARY_DIR};${TOILE_TEST_KERNELS}")
         list(APPEND programs ${test})
     endforeach()
     add_custom_target(tests_${room} DEPENDS ${programs})
