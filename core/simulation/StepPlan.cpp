@@ -37,6 +37,10 @@ public:
     void addHessian(std::span<const Vec3> positions, dynamics::HessianSink& sink) const override {
         stage_->addHessian(positions, sink);
     }
+    void hold(std::span<const Vec3> from, std::span<Vec3> positions) override {
+        timed([&] { stage_->hold(from, positions); });
+    }
+    // Not takesBackYield: docs/collision.md, Limits.
     [[nodiscard]] double largestFrequencySquared() const override { return stage_->largestFrequencySquared(); }
 
 private:
