@@ -32,9 +32,9 @@ struct BlouseSettings {
                              .dartIntake = 0.028};
     WaistDart frontWaistDart{.fromCentre = 0.095, .intake = 0.024, .above = 0.13, .below = 0.09};
     WaistDart backWaistDart{.fromCentre = 0.082, .intake = 0.038, .above = 0.145, .below = 0.10};
-    double bicepsEase = 0.06;
+    double bicepsEase = 0.07;
     double bicepsBelow = 0.10; ///< where the arm's girth is taken, beneath the cap's base
-    double cuffEase = 0.10;    ///< cuff longer than the wrist: half of it is what the forearm is thicker where it lies
+    double cuffEase = 0.11;    ///< cuff longer than the wrist: half of it is what the forearm is thicker where it lies
     double aboveWrist = 0.13;  ///< where the cuff ends
     double cuffWidth = 0.05;
     double frontCapEase = 0.004, backCapEase = 0.0045; ///< above the notches

@@ -25,7 +25,6 @@ pattern::Pattern rolledRoundTheArms(pattern::Pattern pattern, const body::Body& 
 BlouseSettings longSleeved() {
     BlouseSettings settings{.aboveWrist = 0};
     settings.block.armholeDepth = 0.20;
-    settings.bicepsEase = 0.07; // to be drawn up over the bend
     settings.frontWaistDart.intake = 0.016;
     return settings;
 }

@@ -30,7 +30,7 @@ struct ShirtSettings {
     double firstButton = 0.06, lastButton = 0.10; ///< below the neckline, above the hem
     double bicepsEase = 0.06, bicepsBelow = 0.10; ///< as the blouse's
     double frontCapEase = 0.004, backCapEase = 0.0045;
-    double cuffEase = 0.10, aboveWrist = 0.13, cuffWidth = 0.05;
+    double cuffEase = 0.11, aboveWrist = 0.13, cuffWidth = 0.05;
     CollarStandSettings stand;
     FoldedCollarSettings collar;
 };

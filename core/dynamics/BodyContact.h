@@ -39,12 +39,12 @@ struct BodyContactSettings {
     double pushOutTime = 0.02;   ///< in which a small overlap falls to 1/e, so that cloth leaves without a jump [s]
     double planeReach = 0.00025; ///< a tangent plane stands for the surface over so short a way [m]
 
-    double stiffness = 2.5e7;    ///< of statics, k per mass of the sample [1/s²]: 500 Pa dent 0.4 mm into 0.1 kg/m²
-    double onset = 5e-4;         ///< dent over which the push grows to that stiffness [m]
-    double toleratedDent = 2e-4; ///< at rest, of 100 Pa: a deeper one is taken back [m]
-    double lattice = 0.0025;     ///< of the smooth distance that statics sees [m]
-    double frictionGive = 1e-4;  ///< way over which statics builds friction up to μN [m]
-    double staticReach = 0.02;   ///< how far ahead statics looks for contact in one iteration [m]
+    double stiffness = 2.5e7;   ///< of statics, k per mass of the sample [1/s²]: 500 Pa dent 0.4 mm into 0.1 kg/m²
+    double onset = 5e-4;        ///< dent over which the push grows to that stiffness [m]
+    int takings = 3;            ///< how often statics takes dents back
+    double lattice = 0.0025;    ///< of the smooth distance that statics sees [m]
+    double frictionGive = 1e-4; ///< way over which statics builds friction up to μN [m]
+    double staticReach = 0.02;  ///< how far ahead statics looks for contact in one iteration [m]
 };
 
 struct ContactReport {
@@ -74,9 +74,9 @@ public:
     /// Normal forces and directions that friction rests on. It pulls back to anchors: where the samples were at the
     /// first call after a position-based substep, dragged along by what slips in implicit and explicit steps.
     void fixFriction(std::span<const Vec3> positions) override;
+    /// In statics, the first times that friction is fixed anew, what presses is kept farther by its dent, so that it
+    /// comes to rest at its distance (method of multipliers).
     void take(const Motion& motion) override;
-    /// Keeps what presses farther by its dent, so that it comes to rest at its distance (method of multipliers, once).
-    [[nodiscard]] bool takesBackYield(std::span<const Vec3> positions) override;
     /// Finds the samples that may touch in the iteration.
     void beginIteration(std::span<const Vec3> positions) override;
     [[nodiscard]] double energy(std::span<const Vec3> positions) const override;
@@ -103,7 +103,7 @@ private:
         double friction = 0;    ///< [–]
         double stiffness = 0;   ///< [N/m]
         double normalForce = 0; ///< running mean of the substeps, then as friction was fixed [N]
-        double takenBack = 0;   ///< by which it is kept farther than that at rest [m]
+        double takenBack = 0;   ///< by which it is kept farther than that in statics [m]
         Vec3 normal;            ///< of the body, where friction was fixed
     };
     /// What only statics, implicit and explicit steps need; the first of them makes it.
@@ -145,6 +145,8 @@ private:
     collision::SurfaceTracker tracker_;
     collision::MovingSurface* motion_ = nullptr; ///< null: the body stands still
     std::unique_ptr<Pushing> pushing_;
+    bool beginsStatics_ = false; ///< friction has not been fixed since
+    int takings_ = 0;            ///< how often dents will be taken back still
 };
 
 } // namespace toile::dynamics

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <utility>
 
 namespace toile::dynamics {
 namespace {
@@ -55,38 +56,36 @@ void BodyContact::fixFriction(std::span<const Vec3> positions) {
                                    std::vector<collision::SmoothDistance::Patch>(samples_.size()),
                                    {},
                                    {}});
-    const bool first = pushing_->anchors.empty(); // the mean force of the substeps is better than that of one place
+    const bool first = pushing_->anchors.empty();
+    // The mean force of the substeps is better than that of one place; statics that goes on knows its own.
+    const bool begins = std::exchange(beginsStatics_, false) || first;
+    const bool takesBack = !begins && takings_ > 0;
+    if (takesBack) --takings_;
     for (int s = 0; s < static_cast<int>(samples_.size()); ++s) {
         Sample& sample = samples_[s];
         const Vec3 now = at(sample, positions);
         if (first) pushing_->anchors.push_back(now);
-        const bool remembered = first && sample.normalForce > 0;
+        const bool remembered = begins && sample.normalForce > 0;
         if (tracker_.near(s, now, sample.distance + settings_.lattice) == nullptr && !remembered) {
-            sample.normalForce = 0;
+            sample.normalForce = sample.takenBack = 0;
             continue;
         }
         const auto surface = pushing_->distance.at(now, pushing_->patches[s]);
         sample.normal = normalized(surface.gradient);
-        if (!first)
-            sample.normalForce = pushOf(dentOf(sample, surface.value), sample.stiffness, settings_.onset).force *
-                                 length(surface.gradient);
+        const double dent = dentOf(sample, surface.value);
+        if (!begins)
+            sample.normalForce = pushOf(dent, sample.stiffness, settings_.onset).force * length(surface.gradient);
+        if (takesBack) sample.takenBack = std::clamp(dent, 0.0, settings_.onset);
     }
 }
 
-void BodyContact::take(const Motion&) {
+/// A few times and no farther than the push has its full stiffness: between two limbs there may be no place for the
+/// cloth, and it would be kept farther for ever. Statics that goes on from where it ended begins with what it knew.
+void BodyContact::take(const Motion& motion) {
+    beginsStatics_ = motion.span == 0;
+    takings_ = beginsStatics_ ? settings_.takings : 0;
+    if (beginsStatics_ && pushing_ && !pushing_->anchors.empty()) return;
     for (Sample& sample : samples_) sample.takenBack = 0;
-}
-
-/// Once and no farther than the push has its full stiffness: between two limbs there may be no place for the cloth, and
-/// it would be kept farther for ever.
-bool BodyContact::takesBackYield(std::span<const Vec3> positions) {
-    std::vector<double> dents(samples_.size());
-    for (const int s : pushing_->near)
-        if (const auto surface = dentingAt(s, at(samples_[s], positions)))
-            dents[s] = dentOf(samples_[s], surface->value);
-    if (dents.empty() || std::ranges::max(dents) <= settings_.toleratedDent) return false;
-    for (std::size_t s = 0; s < dents.size(); ++s) samples_[s].takenBack = std::min(dents[s], settings_.onset);
-    return true;
 }
 
 void BodyContact::beginIteration(std::span<const Vec3> positions) {

@@ -29,7 +29,7 @@ struct Substep {
     Team* team = nullptr;                ///< to share work with; null = alone. Results are the same to the bit
 };
 
-/// How fast particles are, for forces that depend on it. Nothing given: they rest.
+/// How fast particles are, for forces that depend on it. Nothing given: statics, they rest.
 struct Motion {
     std::span<const Vec3> velocities; ///< of explicit methods; with from, those about which forces are linear [m/s]
     std::span<const Vec3> from;       ///< of implicit methods: who is at x is as fast as (x − from)/span [m]
@@ -61,14 +61,9 @@ public:
     /// Whether its forces may put energy in, so that none that it gives stands for them over a step.
     [[nodiscard]] virtual bool isFromOutside() const { return false; }
     /// Before the first Newton iteration, and again whenever the forces nearly balance: takes the normal forces that
-    /// friction rests on. Between two calls the energy is one function of the positions.
+    /// friction rests on, and in statics may act from farther, by what it has yielded. Between two calls the energy is
+    /// one function of the positions.
     virtual void fixFriction(std::span<const Vec3> positions) { static_cast<void>(positions); }
-    /// Where forces balance at rest: whether what acts by yielding has yielded too far, and acts from farther now, so
-    /// that another balance is nearer to the truth. Forgotten with the next take().
-    [[nodiscard]] virtual bool takesBackYield(std::span<const Vec3> positions) {
-        static_cast<void>(positions);
-        return false;
-    }
     /// Once before every Newton iteration: finds what may act in it.
     virtual void beginIteration(std::span<const Vec3> positions) = 0;
     [[nodiscard]] virtual double energy(std::span<const Vec3> positions) const = 0;

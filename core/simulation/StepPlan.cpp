@@ -12,6 +12,7 @@ public:
 
     [[nodiscard]] dynamics::Stage& stage() const { return *stage_; }
     [[nodiscard]] double seconds() const { return seconds_; }
+    void count(bool counts) { counts_ = counts; }
 
     [[nodiscard]] std::string_view name() const override { return stage_->name(); }
     [[nodiscard]] std::size_t bytes() const override { return stage_->bytes(); }
@@ -40,12 +41,12 @@ public:
     void hold(std::span<const Vec3> from, std::span<Vec3> positions) override {
         timed([&] { stage_->hold(from, positions); });
     }
-    // Not takesBackYield: docs/collision.md, Limits.
     [[nodiscard]] double largestFrequencySquared() const override { return stage_->largestFrequencySquared(); }
 
 private:
     template <class Work>
     void timed(Work work) {
+        if (!counts_) return work();
         const auto start = std::chrono::steady_clock::now();
         work();
         seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -53,6 +54,7 @@ private:
 
     std::unique_ptr<dynamics::Stage> stage_;
     double seconds_ = 0;
+    bool counts_ = true;
 };
 
 StepPlan::StepPlan() = default;
@@ -80,6 +82,14 @@ std::vector<StepPlan::StageCost> StepPlan::costs() const {
     for (const auto& timed : owned_)
         costs.push_back({std::string(timed->name()), timed->seconds(), timed->bytes(), timed->heldBack()});
     return costs;
+}
+
+StepPlan::OffTheClock::OffTheClock(StepPlan& plan) : plan_(plan) {
+    for (const auto& timed : plan_.owned_) timed->count(false);
+}
+
+StepPlan::OffTheClock::~OffTheClock() {
+    for (const auto& timed : plan_.owned_) timed->count(true);
 }
 
 } // namespace toile::simulation

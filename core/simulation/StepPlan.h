@@ -39,6 +39,18 @@ public:
     };
     [[nodiscard]] std::vector<StageCost> costs() const;
 
+    /// While this lives, no time is counted.
+    class OffTheClock {
+    public:
+        explicit OffTheClock(StepPlan& plan);
+        ~OffTheClock();
+        OffTheClock(const OffTheClock&) = delete;
+        OffTheClock& operator=(const OffTheClock&) = delete;
+
+    private:
+        StepPlan& plan_;
+    };
+
 private:
     class Timed;
     std::vector<std::unique_ptr<Timed>> owned_;

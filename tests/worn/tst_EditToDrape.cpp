@@ -12,6 +12,15 @@ double cpuSeconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+/// The sample blouse, narrower in the sleeves. Which wrinkles at the waist snap after an edit, and when, is chance: the
+/// sample itself rests later at 14 mm and sooner at 17 mm. docs/simulation.md, Edits
+pattern::Pattern narrowBlouse(double spacing) {
+    return samples::blouse(blouseWearer().measurements, blouseWearer().body,
+                           {.spacing = spacing, .bicepsEase = 0.06, .cuffEase = 0.1})
+        .value()
+        .pattern;
+}
+
 /// Advances until the garment rests; the number of frame steps that took.
 int framesToRest(Simulation& simulation) {
     for (int frame = 0; frame < 1200; ++frame) {
@@ -48,7 +57,7 @@ void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes_data() {
 
 void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes() {
     QFETCH(const double, spacing);
-    Scene scene = onBlouseWearer(blouseAt(spacing));
+    Scene scene = onBlouseWearer(narrowBlouse(spacing));
     Simulation before = simulationOf(scene);
     (void)framesToRest(before);
 
