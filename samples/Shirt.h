@@ -28,7 +28,7 @@ struct ShirtSettings {
     double yokeDepth = 0.085;   ///< below the back neck
     double buttonDiameter = 0.011;
     double firstButton = 0.06, lastButton = 0.10; ///< below the neckline, above the hem
-    double bicepsEase = 0.06, bicepsBelow = 0.10; ///< as the blouse's
+    double bicepsEase = 0.06, bicepsBelow = 0.10; ///< the girth is taken where the blouse's is
     double frontCapEase = 0.004, backCapEase = 0.0045;
     double cuffEase = 0.11, aboveWrist = 0.13, cuffWidth = 0.05;
     CollarStandSettings stand;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <span>
 
 namespace toile::study {
 namespace {
@@ -46,8 +47,12 @@ void appendCurves(std::string& text, const ErrorTimePlot& plot) {
     }
 }
 
+struct AxisRange {
+    double low = 0, high = 0;
+};
+
 /// From a little below the least to a little above the largest.
-std::string rangeOf(const ErrorTimePlot& plot, double PlotCurve::Point::*coordinate, double low) {
+AxisRange rangeOf(const ErrorTimePlot& plot, double PlotCurve::Point::*coordinate, double low) {
     constexpr double beyond = 1.25;
     double high = low;
     for (const PlotCurve& curve : plot.curves)
@@ -55,17 +60,25 @@ std::string rangeOf(const ErrorTimePlot& plot, double PlotCurve::Point::*coordin
             low = low > 0 ? std::min(low, point.*coordinate) : point.*coordinate;
             high = std::max(high, point.*coordinate);
         }
-    return fmt::format("[{:.4g}:{:.4g}]", low / beyond, high * beyond);
+    return {low / beyond, high * beyond};
+}
+
+/// 1, 2, 5 a decade, and more where the axis is shorter than one.
+void appendNarrowAxis(std::string& text, char axis, const AxisRange& range) {
+    static constexpr std::array coarse{1.0, 2.0, 5.0};
+    static constexpr std::array fine{1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0};
+    const std::span<const double> digits = range.high < 10 * range.low ? std::span<const double>(fine) : coarse;
+    std::string tics;
+    for (int decade = -3; decade <= 4; ++decade)
+        for (const double digit : digits)
+            tics += fmt::format("{}{:g}", tics.empty() ? "" : ",", digit * std::pow(10, decade));
+    text += fmt::format("set format {0} '%g'\nset {0}tics ({1})\nset {0}range [{2:.4g}:{3:.4g}]\n", axis, tics,
+                        range.low, range.high);
 }
 
 void appendNarrowAxes(std::string& text, const ErrorTimePlot& plot) {
-    std::string tics;
-    for (int decade = -3; decade <= 4; ++decade)
-        for (const int digit : {1, 2, 5})
-            tics += fmt::format("{}{:g}", tics.empty() ? "" : ",", digit * std::pow(10, decade));
-    for (const char* axis : {"x", "y"}) text += fmt::format("set format {} '%g'\nset {}tics ({})\n", axis, axis, tics);
-    text += fmt::format("set xrange {}\nset yrange {}\n", rangeOf(plot, &PlotCurve::Point::cost, 0),
-                        rangeOf(plot, &PlotCurve::Point::error, plot.band));
+    appendNarrowAxis(text, 'x', rangeOf(plot, &PlotCurve::Point::cost, 0));
+    appendNarrowAxis(text, 'y', rangeOf(plot, &PlotCurve::Point::error, plot.band));
 }
 
 } // namespace
@@ -90,7 +103,8 @@ std::string gnuplotScript(const ErrorTimePlot& plot, const std::string& file) {
     for (const auto& [terminal, extension] : formats) {
         fmt::format_to(out, "set terminal {}\nset output '{}.{}'\nplot \\\n", terminal, file, extension);
         appendCurves(text, plot);
-        fmt::format_to(out, "  $front using 1:2 with lines linecolor 'black' dashtype 2 linewidth 2 title 'front'\n");
+        fmt::format_to(out, "  $front using 1:2 with {} linecolor 'black' title 'front'\n",
+                       plot.front.size() > 1 ? "lines dashtype 2 linewidth 2" : "points pointtype 6 pointsize 2.5");
     }
     return text;
 }

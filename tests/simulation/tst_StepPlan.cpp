@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/simulation/Simulation.h"
+#include "tests/dynamics/DenseSink.h"
 
 #include <QTest>
 #include <algorithm>
@@ -261,6 +262,8 @@ void tst_StepPlan::everyCallReachesTheStage() {
     reaches("beginIteration", [&] { stage.beginIteration(positions); });
     reaches("energy", [&] { QCOMPARE(stage.energy(positions), 1.0); });
     reaches("addForces", [&] { stage.addForces(positions, forces); });
+    fixtures::DenseSink hessian(0);
+    reaches("addHessian", [&] { stage.addHessian(positions, hessian); });
     reaches("hold", [&] { stage.hold(positions, positions); });
     reaches("largestFrequencySquared", [&] { QCOMPARE(stage.largestFrequencySquared(), 1.0); });
 }

@@ -3,6 +3,8 @@
 
 #include <ctime>
 
+Q_DECLARE_METATYPE(toile::pattern::Pattern)
+
 using namespace toile;
 using namespace toile::simulation;
 
@@ -12,8 +14,7 @@ double cpuSeconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// The sample blouse, narrower in the sleeves. Which wrinkles at the waist snap after an edit, and when, is chance: the
-/// sample itself rests later at 14 mm and sooner at 17 mm. docs/simulation.md, Edits
+/// The sample blouse, 10 mm narrower in sleeves and cuffs.
 pattern::Pattern narrowBlouse(double spacing) {
     return samples::blouse(blouseWearer().measurements, blouseWearer().body,
                            {.spacing = spacing, .bicepsEase = 0.06, .cuffEase = 0.1})
@@ -50,14 +51,23 @@ private slots:
 };
 
 void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes_data() {
-    QTest::addColumn<double>("spacing"); // [m]
-    QTest::addRow("20 mm") << 0.02;
-    QTest::addRow("14 mm, with a coarse level") << 0.014;
+    QTest::addColumn<pattern::Pattern>("blouse");
+    QTest::addColumn<QByteArray>("late"); // why it is not expected to rest soon
+    QTest::addColumn<QByteArray>("far");  // and to lie where a drape from scratch does
+    const QByteArray chance = "which wrinkles at the waist snap, and when, is chance: docs/simulation.md";
+    const QByteArray apartFromThem = "the drapes from scratch lie much nearer to each other: docs/simulation.md";
+    const QByteArray no;
+    QTest::addRow("narrow, 20 mm") << narrowBlouse(0.02) << no << no;
+    QTest::addRow("narrow, 14 mm, with a coarse level") << narrowBlouse(0.014) << no << no;
+    QTest::addRow("sample, 20 mm") << blouseAt(0.02) << no << apartFromThem;
+    QTest::addRow("sample, 14 mm, with a coarse level") << blouseAt(0.014) << chance << no;
 }
 
 void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes() {
-    QFETCH(const double, spacing);
-    Scene scene = onBlouseWearer(narrowBlouse(spacing));
+    QFETCH(const pattern::Pattern, blouse);
+    QFETCH(const QByteArray, late);
+    QFETCH(const QByteArray, far);
+    Scene scene = onBlouseWearer(blouse);
     Simulation before = simulationOf(scene);
     (void)framesToRest(before);
 
@@ -73,6 +83,7 @@ void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes() {
     QVERIFY(edited->phase() != Phase::sewing);
     const int frames = framesToRest(*edited);
     const double rested = cpuSeconds();
+    if (!late.isEmpty()) QEXPECT_FAIL("", late, Continue);
     QVERIFY2(frames < 120, qPrintable(QString::number(frames)));
 
     // A garment with friction has many equilibria: how far apart are two drapes from scratch?
@@ -87,6 +98,7 @@ void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes() {
         "%.2f mm from a drape from scratch, one whose seams close 1 %% slower is %.2f mm from it",
         edited->nodePositions().size(), first - start, frames, rested - start, framesFromScratch, error * 1000,
         spread * 1000);
+    if (!far.isEmpty()) QEXPECT_FAIL("", far, Continue);
     QVERIFY2(error < 2 * spread, qPrintable(QString("%1 mm, %2 mm").arg(error * 1000).arg(spread * 1000)));
 }
 
