@@ -10,7 +10,7 @@ namespace toile::samples {
 struct TrousersSettings {
     double spacing = 0.02; ///< ε_m
     double waistEase = 0.01, hipEase = 0.045, thighEase = 0.055;
-    double kneeGirth = 0.53, hemGirth = 0.50;
+    double kneeGirth = 0.53, hemGirth = 0.47;
     double crotchEase = 0.030;    ///< crotch lower than the body's
     double ankleClearance = 0.12; ///< hem above the floor
     double frontDart = 0.015, backDart = 0.030;

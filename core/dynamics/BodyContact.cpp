@@ -100,7 +100,7 @@ double BodyContact::largestFrequencySquared() const {
 std::size_t BodyContact::bytes() const {
     return terms_.capacity() * sizeof(Term) + samples_.capacity() * sizeof(Sample) +
            (blends_.capacity() + alone_.capacity()) * sizeof(int) + mayCancel_.capacity() * sizeof(double) +
-           pushed_.capacity() * sizeof(Vec3) + tracker_.bytes() +
+           (pushed_.capacity() + left_.capacity()) * sizeof(Vec3) + tracker_.bytes() +
            (pushing_ ? sizeof(Pushing) + pushing_->distance.bytes() +
                            pushing_->patches.capacity() * sizeof(collision::SmoothDistance::Patch) +
                            pushing_->anchors.capacity() * sizeof(Vec3) + pushing_->near.capacity() * sizeof(int)
@@ -120,6 +120,7 @@ void BodyContact::project(Substep& substep) {
             rub(termsOf(samples_[alone_[i]])[0].particle, substep);
         }
     });
+    if (settings_.bearsLayers) left_.assign(substep.positions.begin(), substep.positions.end());
 }
 
 /// Friction of all that has pressed a particle, once all have pushed it. Friction of samples between particles that
@@ -166,9 +167,16 @@ void BodyContact::meetMoving(std::size_t s, const Vec3& now, const Vec3& before,
     if (near.signedDistance <= sample.distance) resolve(sample, {near.point, near.normal}, now, carried, pace, substep);
 }
 
+/// How far a sample was pressed towards the body after the last substep's contact with it [m].
+double BodyContact::pressedIn(const Sample& sample, const Vec3& normal, const Substep& substep) const {
+    return left_.empty() ? 0 : std::max(0.0, dot(at(sample, left_) - at(sample, substep.previous), normal));
+}
+
+/// What layers have pressed in is no overlap to be led out slowly: what presses would be faster, and creep into the
+/// body.
 void BodyContact::resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now, const Vec3& before,
                           const ContactPace& pace, Substep& substep) {
-    const double start = plane.distance(before);
+    const double start = plane.distance(before) + pressedIn(sample, plane.normal, substep);
     const double lift = pace.allowedDistance(start, sample.distance) - plane.distance(now);
     const bool ledOut = sample.distance - start > deepOverlap;
     if (lift <= 0 && !ledOut) return;

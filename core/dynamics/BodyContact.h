@@ -38,6 +38,7 @@ struct BodyContactSettings {
     double pushOutSpeed = 0.5;   ///< at most, of cloth that is too near at the start of a substep [m/s]
     double pushOutTime = 0.02;   ///< in which a small overlap falls to 1/e, so that cloth leaves without a jump [s]
     double planeReach = 0.00025; ///< a tangent plane stands for the surface over so short a way [m]
+    bool bearsLayers = false;    ///< a stage after this one presses cloth on to the body
 
     double stiffness = 2.5e7;   ///< of statics, k per mass of the sample [1/s²]: 500 Pa dent 0.4 mm into 0.1 kg/m²
     double onset = 5e-4;        ///< dent over which the push grows to that stiffness [m]
@@ -129,6 +130,7 @@ private:
     void meetMoving(std::size_t sample, const Vec3& now, const Vec3& before, const ContactPace& pace, Substep& substep);
     void resolve(Sample& sample, const collision::TangentPlane& plane, const Vec3& now, const Vec3& before,
                  const ContactPace& pace, Substep& substep);
+    [[nodiscard]] double pressedIn(const Sample& sample, const Vec3& normal, const Substep& substep) const;
     void press(int particle, const Vec3& push, double cancels);
     void rub(int particle, Substep& substep) const;
     [[nodiscard]] double dentOf(const Sample& sample, double distance) const;
@@ -141,6 +143,7 @@ private:
     std::vector<int> blends_, alone_; ///< samples that have a particle in common with others, and those that have not
     std::vector<double> mayCancel_;   ///< of each particle, slip that friction can cancel in this substep [m]
     std::vector<Vec3> pushed_;        ///< and where the pushes that press it have moved it, if it can any [m]
+    std::vector<Vec3> left_;          ///< with layers to bear: where the last substep of this step left particles [m]
     double frequencySquared_ = 0;     ///< [1/s²]
     collision::SurfaceTracker tracker_;
     collision::MovingSurface* motion_ = nullptr; ///< null: the body stands still

@@ -41,6 +41,7 @@ void addTurning(double (&block)[9], double force, const double (&curvature)[9]) 
 /// sticks without creeping from step to step.
 void BodyContact::beginStep(const ParticleState& state, double) {
     if (motion_) follow(state.time);
+    left_.clear();
     if (!pushing_) return;
     for (std::size_t s = 0; s < pushing_->anchors.size(); ++s) {
         Vec3& anchor = pushing_->anchors[s];

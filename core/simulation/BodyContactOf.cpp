@@ -133,7 +133,8 @@ std::unique_ptr<dynamics::Stage> bodyContactOf(const Scene& scene, const Garment
     std::vector<dynamics::ContactSample> samples =
         dynamics::particleSamples(garment.model, garment.halfThickness, garment.friction, scene.settings.bodyFriction);
     appendInner(samples, garment, NearBumps(body.bumps()), positions, body.hasMoved());
-    dynamics::BodyContactSettings settings{.skinOffset = scene.settings.skinOffset};
+    dynamics::BodyContactSettings settings{.skinOffset = scene.settings.skinOffset,
+                                           .bearsLayers = scene.settings.selfContact};
     if (garment.model.particleCount() > mostTakenBack) settings.takings = 0;
     return std::make_unique<dynamics::BodyContact>(body, std::move(samples), settings);
 }

@@ -14,13 +14,15 @@ constexpr int tautSubsteps = 4, tautFrames = 12;
 constexpr double tautDamping = 10;
 } // namespace
 
-/// Cloth is as soft as its substeps are long: statics would have to draw it taut first, which many short ones do for a
-/// tenth of the time where the mesh is fine. The clock stands still.
+/// Cloth is as soft as its substeps are long: statics would have to draw it taut first, and press apart layers that are
+/// nearer than their thickness. Many short ones do so for a tenth of the time where the mesh is fine or layers are
+/// jammed. The clock stands still.
 Result<void> Simulation::drawTaut(std::stop_token stop) {
     const double time = state_.time, duration = scene_.settings.frameStep;
     const int substeps =
         dynamics::substepsFor(duration, dynamics::springsOnLongestLine(garment_->model), loadOf(scene_));
-    if (drapingMethod_ != dynamics::Method::xpbd || scene_.paper || coarseLevelsFor(substeps) == 0) return {};
+    const bool isSoft = coarseLevelsFor(substeps) > 0 || plan_.find("self-contact") != nullptr;
+    if (drapingMethod_ != dynamics::Method::xpbd || scene_.paper || !isSoft) return {};
     dynamics::Xpbd xpbd(garment_->model, {.damping = tautDamping, .speedLimit = 10});
     xpbd.workWith(teamWorthWaking());
     for (int frame = 0; frame < tautFrames; ++frame)

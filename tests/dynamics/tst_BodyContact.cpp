@@ -58,6 +58,7 @@ private slots:
     void nothingTunnelsThroughALimb_data();
     void nothingTunnelsThroughALimb();
     void anOverlapIsLedOutWithBoundedSpeed();
+    void whatLayersPressInDoesNotCreep();
     void slidingOverABodyKeepsItsDistance();
     void aSampleBetweenParticlesIsHeldOut();
     void aPinnedParticleIsNotMoved();
@@ -187,6 +188,31 @@ void tst_BodyContact::anOverlapIsLedOutWithBoundedSpeed() {
     }
     QVERIFY(std::abs(world.positions[0].y - target) < 1e-6);
     QVERIFY(highest < target + 5e-4); // it leaves the overlap without a jump: (1 mm / 20 ms)² / 2g = 0.13 mm
+}
+
+/// A stage after contact takes the particle 20 µm towards the body in every substep, as layers do that are pulled on to
+/// it: led out as an overlap of d by (1 − e^(−h/τ))d in a substep, it would end where that is 20 µm, at d = 0.49 mm.
+void tst_BodyContact::whatLayersPressInDoesNotCreep() {
+    const auto plane = surfaceOf(shapes::plane(1, 8));
+    const double pressed = 2e-5;
+    const BodyContactSettings settings;
+    const double creep = pressed / (1 - std::exp(-h / settings.pushOutTime));
+    for (const bool bears : {false, true}) {
+        BodyContact contact(plane, {sampleAt(0, 0)}, {.bearsLayers = bears});
+        World world({{0, target, 0}});
+        contact.beginStep({world.positions, world.velocities, 0}, 1);
+        double reached = 0;
+        for (int substep = 0; substep < 2000; ++substep) {
+            const Vec3 before = world.positions[0];
+            world.substep(contact, h);
+            reached = world.positions[0].y;
+            world.positions[0].y -= pressed;
+            world.velocities[0] = (world.positions[0] - before) / h;
+        }
+        const double missing = target - reached;
+        if (bears) QVERIFY2(std::abs(missing) < 1e-12, qPrintable(QString::number(missing)));
+        else QVERIFY2(std::abs(missing + pressed - creep) < 0.02 * creep, qPrintable(QString::number(missing)));
+    }
 }
 
 void tst_BodyContact::slidingOverABodyKeepsItsDistance() {
