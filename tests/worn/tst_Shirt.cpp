@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WornScenes.h"
+#include "core/body/ArmLift.h"
+#include "core/simulation/Wearing.h"
 #include "samples/Shirt.h"
 
 #include <set>
@@ -89,6 +91,7 @@ class tst_Shirt : public QObject {
     Q_OBJECT
 private slots:
     void isWornWithRightOverLeftAndItsCollarTurnedDown();
+    void liftedArmsDoNotComeThroughWhatIsCrumpledOnThem();
 };
 
 void tst_Shirt::isWornWithRightOverLeftAndItsCollarTurnedDown() {
@@ -123,6 +126,23 @@ void tst_Shirt::isWornWithRightOverLeftAndItsCollarTurnedDown() {
         const Vec3 way = wayBetween(button, simulation.garment().particles, simulation.state().positions);
         QVERIFY2(dot(way, rightSideAt(button.ends[0], simulation)) > 0, button.name.c_str());
     }
+}
+
+/// The caps of the sleeves are jammed between shoulder and arm, layer on layer.
+void tst_Shirt::liftedArmsDoNotComeThroughWhatIsCrumpledOnThem() {
+    const auto document = samples::shirt(blouseWearer().measurements, blouseWearer().body);
+    QVERIFY(document);
+    Simulation simulation = simulationOf({document->pattern, Shared<body::Body>(blouseWearer().body), document->scene});
+    static_cast<void>(sewn(simulation));
+    auto lifted = body::armLift(blouseWearer().body, std::numbers::pi / 3, 1);
+    QVERIFY(lifted);
+    const SewSettings noLonger{.limit = 0.1, .finish = false};
+    const auto report = wear(simulation, std::make_shared<geometry::VertexMotion>(std::move(*lifted)), noLonger);
+    QVERIFY(report);
+    QVERIFY(report->contact.outsideBody);
+    QVERIFY2(report->contact.bodyClearanceMinimum > 0.0025,
+             qPrintable(QString::number(*report->contact.bodyClearanceMinimum)));
+    QCOMPARE(report->contact.selfIntersections, 0);
 }
 
 QTEST_APPLESS_MAIN(tst_Shirt)
