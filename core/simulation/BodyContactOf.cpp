@@ -129,12 +129,12 @@ constexpr int mostTakenBack = 25000;
 } // namespace
 
 std::unique_ptr<dynamics::Stage> bodyContactOf(const Scene& scene, const Garment& garment,
-                                               const collision::BodySurface& body, std::span<const Vec3> positions) {
+                                               const collision::BodySurface& body, std::span<const Vec3> positions,
+                                               bool bearsLayers) {
     std::vector<dynamics::ContactSample> samples =
         dynamics::particleSamples(garment.model, garment.halfThickness, garment.friction, scene.settings.bodyFriction);
     appendInner(samples, garment, NearBumps(body.bumps()), positions, body.hasMoved());
-    dynamics::BodyContactSettings settings{.skinOffset = scene.settings.skinOffset,
-                                           .bearsLayers = scene.settings.selfContact};
+    dynamics::BodyContactSettings settings{.skinOffset = scene.settings.skinOffset, .bearsLayers = bearsLayers};
     if (garment.model.particleCount() > mostTakenBack) settings.takings = 0;
     return std::make_unique<dynamics::BodyContact>(body, std::move(samples), settings);
 }

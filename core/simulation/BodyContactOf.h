@@ -13,9 +13,10 @@ namespace toile::simulation {
 
 /// The contact stage of this garment with this body: distances from skin offset and thickness, friction from both,
 /// and samples inside cells that are too coarse to follow a limb by their corners alone: one in the middle, and a net
-/// of them in cells that lie near a bump of the body. Positions: of the particles, now [m].
+/// of them in cells that lie near a bump of the body. Positions: of the particles, now [m]. bearsLayers: self-contact
+/// follows, and presses cloth on to the body.
 [[nodiscard]] std::unique_ptr<dynamics::Stage> bodyContactOf(const Scene& scene, const Garment& garment,
                                                              const collision::BodySurface& body,
-                                                             std::span<const Vec3> positions);
+                                                             std::span<const Vec3> positions, bool bearsLayers = false);
 
 } // namespace toile::simulation

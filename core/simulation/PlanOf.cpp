@@ -18,6 +18,14 @@ constexpr SeamClosingSettings paperSewing{.maximumForce = 5, .stiffness = 2000, 
 
 constexpr const char* whileSewing = "as gravity it waits until the garment is sewn";
 
+/// Why layers need not be kept apart; empty if they must.
+const char* whyNoSelfContact(const Scene& scene, const Garment& garment, bool isForced) {
+    if (scene.paper) return "the paper knows the body alone";
+    if (isForced) return "";
+    if (!scene.settings.selfContact) return "the scene does not ask for it";
+    return canReachItself(garment) ? "" : "the cloth is too small to reach itself";
+}
+
 /// Parts of the cloth that this garment has no use for.
 void leaveOutElements(StepPlan& plan, const Garment& garment) {
     const cloth::ClothModel& model = garment.model;
@@ -84,7 +92,8 @@ StepPlan planOf(const Scene& scene, const Garment& garment, const collision::Bod
     else if (!isHeld) plan.leaveOut("strain limit", "nobody holds the cloth");
     else plan.leaveOut("strain limit", scene.paper ? "the paper's springs give" : "no woven piece");
 
-    if (body) plan.add(bodyContactOf(scene, garment, *body, positions));
+    const std::string whyNot = whyNoSelfContact(scene, garment, isForced("self-contact"));
+    if (body) plan.add(bodyContactOf(scene, garment, *body, positions, whyNot.empty()));
     else plan.leaveOut("body contact", "no body");
 
     if (scene.paper) plan.leaveOut("seams that meet", "the paper sews by a force");
@@ -92,10 +101,7 @@ StepPlan planOf(const Scene& scene, const Garment& garment, const collision::Bod
         plan.add(std::make_unique<SeamMeeting>(std::move(pairs), closing));
     else plan.leaveOut("seams that meet", body ? "all seams are merged" : "no body parts them");
 
-    if (scene.paper) plan.leaveOut("self-contact", "the paper knows the body alone");
-    else if (isForced("self-contact")) plan.add(selfContactOf(scene, garment));
-    else if (!scene.settings.selfContact) plan.leaveOut("self-contact", "the scene does not ask for it");
-    else if (!canReachItself(garment)) plan.leaveOut("self-contact", "the cloth is too small to reach itself");
+    if (!whyNot.empty()) plan.leaveOut("self-contact", whyNot);
     else plan.add(selfContactOf(scene, garment)); // last: it goes back where anything has pushed layers through layers
     return plan;
 }

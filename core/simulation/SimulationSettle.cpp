@@ -14,9 +14,9 @@ constexpr int tautSubsteps = 4, tautFrames = 12;
 constexpr double tautDamping = 10;
 } // namespace
 
-/// Cloth is as soft as its substeps are long: statics would have to draw it taut first, and press apart layers that are
-/// nearer than their thickness. Many short ones do so for a tenth of the time where the mesh is fine or layers are
-/// jammed. The clock stands still.
+/// Cloth is as soft as its substeps are long: statics would have to draw it taut first, which many short ones do for a
+/// tenth of the time where the mesh is fine; and to part layers that are jammed nearer than their thickness, which
+/// takes it more iterations. The clock stands still.
 Result<void> Simulation::drawTaut(std::stop_token stop) {
     const double time = state_.time, duration = scene_.settings.frameStep;
     const int substeps =
