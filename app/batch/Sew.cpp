@@ -13,6 +13,7 @@
 #include "core/io/DrapeExport.h"
 #include "core/io/FrameFiles.h"
 #include "core/simulation/Arrange.h"
+#include "core/simulation/FrameTally.h"
 #include "core/simulation/Inspect.h"
 #include "core/simulation/Wearing.h"
 
@@ -53,6 +54,7 @@ void applyOptions(OpenedScene& opened, const SewOptions& options) {
 struct Outcome {
     simulation::SewReport sewn;
     std::optional<simulation::WearingReport> wearing;
+    std::optional<simulation::FrameTally> frames = {}; ///< that were kept
 };
 
 Json reportJson(const SewOptions& options, const OpenedScene& opened, const Outcome& outcome) {
@@ -64,7 +66,8 @@ Json reportJson(const SewOptions& options, const OpenedScene& opened, const Outc
         .set("threads", threads);
     const Json result = simulation::toJson(outcome.sewn);
     for (const auto& [key, value] : *result.asObject()) json.set(key, value);
-    return json.set("motion", outcome.wearing ? simulation::toJson(*outcome.wearing) : Json());
+    json.set("motion", outcome.wearing ? simulation::toJson(*outcome.wearing) : Json());
+    return json.set("frames", outcome.frames ? simulation::toJson(*outcome.frames) : Json());
 }
 
 /// "sewing by xpbd, draping by trbdf2"
@@ -159,19 +162,23 @@ Result<Outcome> sewnAndKept(const SewOptions& options, const OpenedScene& opened
                             const simulation::SewSettings& settings, simulation::Simulation& simulation,
                             std::stop_token stop) {
     if (options.frames.empty()) return sewn(options, opened, settings, simulation, stop, {});
-    const simulation::Frame start = simulation.frame();
-    auto files = io::FrameFiles::create(options.frames, start.topology);
+    auto files = io::FrameFiles::create(options.frames, simulation.frame().topology);
     if (!files) return tl::unexpected(files.error());
-    Result<void> kept = (*files)->add(start.positions);
-    auto outcome = sewn(options, opened, settings, simulation, stop, [&](const simulation::Simulation& now) {
+    Result<void> kept;
+    simulation::FrameTally tally;
+    const auto keep = [&](const simulation::Simulation& now) {
         if (kept) kept = (*files)->add(now.nodePositions());
-    });
+        tally.add(now.state().time, simulation::intersectionsOf(now));
+    };
+    keep(simulation);
+    auto outcome = sewn(options, opened, settings, simulation, stop, keep);
     if (outcome && kept) kept = (*files)->finish();
     if (!kept) return tl::unexpected(kept.error());
+    if (outcome) outcome->frames = tally;
     return outcome;
 }
 
-Result<void> keep(const std::string& checkpoint, simulation::Simulation& simulation) {
+Result<void> keepStanding(const std::string& checkpoint, simulation::Simulation& simulation) {
     return checkpoint.empty() ? Result<void>() : io::writeCheckpoint(simulation.checkpoint(), checkpoint);
 }
 
@@ -204,13 +211,14 @@ int sew(const SewOptions& options, std::stop_token stop) {
 
     if (coarse) settings = settingsAfter(*coarse, settings);
     auto outcome = sewnAndKept(options, *opened, settings, simulation, stop);
-    if (const auto kept = keep(options.checkpoint, simulation); !kept) return refuse(kept.error());
+    if (const auto kept = keepStanding(options.checkpoint, simulation); !kept) return refuse(kept.error());
     if (!outcome) return refuse(outcome.error());
     simulation::SewReport& report = outcome->sewn;
     if (coarse) count(*coarse, report);
     report.warnings.insert(report.warnings.begin(), opened->warnings.begin(), opened->warnings.end());
     printSummary(report, options);
     if (outcome->wearing) printWearing(*outcome->wearing);
+    if (outcome->frames) fmt::print("{}\n", simulation::describe(*outcome->frames));
     if (const auto written = writeResults(options, *opened, simulation, *outcome); !written)
         return refuse(written.error());
     const bool wornWell = !outcome->wearing || outcome->wearing->reachedItsGoal();

@@ -25,7 +25,7 @@ SelfContact::SelfContact(const cloth::ClothModel& model, ClothSurface surface, S
     expects(surface_.halfThickness.size() == count && surface_.friction.size() == count &&
                 surface_.room.size() == count,
             "one value per particle");
-    expects(surface_.ignored.empty() || surface_.ignored.size() == count, "one list per particle, or none");
+    expects(surface_.becomes.empty() || surface_.becomes.size() == count, "one per particle, or none");
     for (std::size_t s = 0; s < model.slaves.size(); ++s) {
         const cloth::Slave& slave = model.slaves[s];
         slaveOf_[slave.particle] = static_cast<int>(s);

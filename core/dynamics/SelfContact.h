@@ -25,7 +25,8 @@ struct ClothSurface {
         room; ///< at rest, to the nearest element that does not end here [m]: there is no push within it
     std::vector<int> layers =
         {}; ///< of each triangle; the higher lies on the right side of the lower. Empty = all alike
-    std::vector<std::vector<int>> ignored; ///< particles that an open seam will bring here, rising; empty = none at all
+    std::vector<int> becomes =
+        {}; ///< which particle it will be part of when open seams are closed; empty = none is open
 };
 
 struct SelfContactSettings {
@@ -35,7 +36,7 @@ struct SelfContactSettings {
     double pushOutSpeed = 0.5; ///< at most, of layers that are too near at the start of a substep [m/s]
     double pushOutTime = 0.01; ///< in which a small overlap falls to 1/e [s]
     double keptDistance = 0.1; ///< part of its distance that a pair keeps in one substep whatever pulls [–]
-    double closest = 1e-6;     ///< layers are never let nearer than this [m]
+    double closest = 1e-6;     ///< layers are never let nearer than this by a substep [m]
     int sweeps = 2;            ///< over the pairs that touch, in a substep
     std::size_t mostPairs = 3'000'000; ///< watched at a time [–]: half a gigabyte
 
@@ -44,6 +45,8 @@ struct SelfContactSettings {
     double frictionGive = 1e-4;     ///< way over which statics builds friction up to μN [m]
     double staticMove = 0.0025;     ///< of a particle in one iteration of statics, at most [m]
     double staticMoveOfRoom = 0.18; ///< and so much of the middle room of particles [–]
+    double staticClosest = 1e-8; ///< layers are never let nearer than this by an iteration of statics: where substeps
+                                 ///< have pressed them to `closest`, none could move if all had to keep it [m]
 };
 
 /// Keeps the layers of a cloth apart by its thickness, with Coulomb friction between them. docs/collision.md
@@ -78,9 +81,8 @@ public:
     [[nodiscard]] int crossings() const { return static_cast<int>(piercings_.size()); }
     /// Where they are: the middles of the edges [m].
     [[nodiscard]] std::vector<Vec3> crossingPlaces(std::span<const Vec3> positions) const;
-    /// No layer has crossed another since the last one that had was drawn apart, and none is let through for
-    /// a seam.
-    [[nodiscard]] bool guaranteed() const { return !mayPierce_ && surface_.ignored.empty(); }
+    /// No layer has crossed another since the last one that had was drawn apart, and no seam is open.
+    [[nodiscard]] bool guaranteed() const { return !mayPierce_ && surface_.becomes.empty(); }
     /// How often neighbours were sought, and how many pairs are near now.
     [[nodiscard]] int searches() const { return searches_; }
     [[nodiscard]] std::size_t nearPairs() const { return watches_.size(); }
@@ -177,7 +179,7 @@ private:
     [[nodiscard]] double holdApart(Substep& substep);
     void findUnseparated(const Substep& substep);
     void beginShortening(const Substep& substep);
-    [[nodiscard]] double keptOf(double start) const;
+    [[nodiscard]] double keptOf(double start, double closest) const;
     [[nodiscard]] bool isSeparated(const Watch& watch, Contact& contact, const Substep& substep) const;
     void shorten(const Watch& watch, const Contact& contact, Substep& substep);
     void goPartOfTheWay(int particle, double fraction, Substep& substep);

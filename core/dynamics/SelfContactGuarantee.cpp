@@ -70,7 +70,8 @@ void SelfContact::beginShortening(const Substep& substep) {
 bool SelfContact::isSeparated(const Watch& watch, Contact& contact, const Substep& substep) const {
     const auto along = [&](const Vec3& direction) {
         const double start = gapAlong(direction, watch.elements, substep.previous);
-        return start > 0 && gapAlong(direction, watch.elements, substep.positions) >= justEnough * keptOf(start);
+        return start > 0 &&
+               gapAlong(direction, watch.elements, substep.positions) >= justEnough * keptOf(start, settings_.closest);
     };
     if (along(contact.direction)) return true;
     look(watch, contact, substep.previous);
@@ -78,15 +79,15 @@ bool SelfContact::isSeparated(const Watch& watch, Contact& contact, const Subste
 }
 
 /// What must be left of a distance [m]: nothing is let nearer than `closest`, however often it is pressed.
-double SelfContact::keptOf(double start) const {
-    return std::min(start, std::max(settings_.keptDistance * std::min(start, thickest_), settings_.closest));
+double SelfContact::keptOf(double start, double closest) const {
+    return std::min(start, std::max(settings_.keptDistance * std::min(start, thickest_), closest));
 }
 
 /// Neither element crosses a plane of its own between them.
 void SelfContact::shorten(const Watch& watch, const Contact& contact, Substep& substep) {
     const auto& v = watch.elements.vertices;
     const double gap = gapAlong(contact.direction, watch.elements, substep.previous);
-    const double kept = keptOf(gap);
+    const double kept = keptOf(gap, settings_.closest);
     double second = -std::numeric_limits<double>::infinity(); // where the second element ends along the direction
     for (int k = watch.elements.firstCount; k < 4; ++k)
         second = std::max(second, dot(contact.direction, substep.previous[v[k]]));

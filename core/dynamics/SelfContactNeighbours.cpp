@@ -189,10 +189,10 @@ SelfContact::Contact SelfContact::contactOf(const ElementPair& pair) const {
 }
 
 bool SelfContact::isIgnored(const ElementPair& pair) const {
-    if (surface_.ignored.empty()) return false;
+    if (surface_.becomes.empty()) return false;
     for (int i = 0; i < pair.firstCount; ++i)
         for (int k = pair.firstCount; k < 4; ++k)
-            if (std::ranges::binary_search(surface_.ignored[pair.vertices[i]], pair.vertices[k])) return true;
+            if (surface_.becomes[pair.vertices[i]] == surface_.becomes[pair.vertices[k]]) return true;
     return false;
 }
 

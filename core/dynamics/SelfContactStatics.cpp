@@ -138,7 +138,8 @@ double SelfContact::energy(std::span<const Vec3> positions) const {
     if (farthestMove(iterationStart_, positions) > staticMove_) return infinity;
     double sum = 0;
     forPressed(positions, [&](const Watch& watch, const Contact& contact) {
-        if (gapAlong(contact.direction, watch.elements, positions) < justEnough * keptOf(contact.start)) sum = infinity;
+        const double kept = justEnough * keptOf(contact.start, settings_.staticClosest);
+        if (gapAlong(contact.direction, watch.elements, positions) < kept) sum = infinity;
         if (sum == infinity) return;
         const double distance = separationOf(watch.elements, positions).distance;
         sum += shareOf(watch.elements, positions).value * storedAt(watch, distance);

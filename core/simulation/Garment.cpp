@@ -123,4 +123,13 @@ std::vector<std::array<int, 3>> particleTriangles(const Garment& garment) {
     return triangles;
 }
 
+std::vector<int> whatBecomesOf(const Garment& garment) {
+    if (std::ranges::all_of(garment.mergedSeams, [](bool merged) { return merged; })) return {};
+    const ParticleMap sewn = particleMap(*garment.mesh, std::vector<bool>(garment.mergedSeams.size(), true));
+    std::vector<int> becomes(garment.particles.particleCount);
+    for (std::size_t node = 0; node < sewn.particleOf.size(); ++node)
+        becomes[garment.particles.particleOf[node]] = sewn.particleOf[node];
+    return becomes;
+}
+
 } // namespace toile::simulation

@@ -33,4 +33,7 @@ struct Garment {
 /// The display triangles of all pieces, naming particles.
 [[nodiscard]] std::vector<std::array<int, 3>> particleTriangles(const Garment& garment);
 
+/// Of each particle, which it will be part of when all seams are merged; none where they are.
+[[nodiscard]] std::vector<int> whatBecomesOf(const Garment& garment);
+
 } // namespace toile::simulation

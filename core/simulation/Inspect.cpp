@@ -24,6 +24,18 @@ geometry::TriangleMesh clothMesh(const Simulation& simulation) {
     return mesh;
 }
 
+/// Pairs of these triangles that will share a corner when all seams are closed.
+int neighboursOnceSewn(const std::vector<std::pair<int, int>>& pairs, const std::vector<std::array<int, 3>>& triangles,
+                       const std::vector<int>& becomes) {
+    if (becomes.empty()) return 0;
+    const auto willShareACorner = [&](const std::pair<int, int>& pair) {
+        return std::ranges::any_of(triangles[pair.first], [&](int p) {
+            return std::ranges::any_of(triangles[pair.second], [&](int q) { return becomes[p] == becomes[q]; });
+        });
+    };
+    return static_cast<int>(std::ranges::count_if(pairs, willShareACorner));
+}
+
 /// Cloth is judged by no less of it than lies within so much of a place: at a dart's tip, in an armhole's corner the
 /// strain of a membrane has no bound, and an element has the more of it the smaller it is [m].
 constexpr double judgedRadius = 0.005;
@@ -161,20 +173,31 @@ CurvatureSummary curvatureOf(const Simulation& simulation) {
     return area > 0 ? CurvatureSummary{std::sqrt(squares / area), std::sqrt(alternating / area)} : CurvatureSummary{};
 }
 
+Intersections intersectionsOf(const Simulation& simulation) {
+    const geometry::TriangleMesh cloth = clothMesh(simulation);
+    const auto pairs = collision::selfIntersectingTriangles(cloth);
+    Intersections found;
+    found.atOpenSeams = neighboursOnceSewn(pairs, cloth.triangles, whatBecomesOf(simulation.garment()));
+    found.self = static_cast<int>(pairs.size()) - found.atOpenSeams;
+    if (const collision::BodySurface* body = simulation.body())
+        found.body = static_cast<int>(collision::intersectingTriangles(cloth, body->mesh()).size());
+    return found;
+}
+
 ContactSummary contactOf(const Simulation& simulation) {
     ContactSummary summary;
-    const geometry::TriangleMesh cloth = clothMesh(simulation);
-    summary.selfIntersections = static_cast<int>(collision::selfIntersectingTriangles(cloth).size());
+    const Intersections intersections = intersectionsOf(simulation);
+    summary.selfIntersections = intersections.self + intersections.atOpenSeams;
+    summary.bodyIntersections = intersections.body;
     summary.nodesInWrongOrder =
         nodesInWrongOrder(simulation.scene().pattern, *simulation.garment().mesh, simulation.nodePositions());
     if (const auto* stage = dynamic_cast<const dynamics::SelfContact*>(simulation.plan().find("self-contact")))
         summary.guarantee = stage->guaranteed();
     const collision::BodySurface* body = simulation.body();
     if (!body) return summary;
-    summary.bodyIntersections = static_cast<int>(collision::intersectingTriangles(cloth, body->mesh()).size());
     double least = std::numeric_limits<double>::infinity();
     constexpr double searchRadius = 0.1; // [m]; cloth farther off does not set the minimum
-    for (const Vec3& p : cloth.vertices)
+    for (const Vec3& p : simulation.state().positions)
         if (const auto nearest = body->nearest(p, searchRadius)) least = std::min(least, nearest->signedDistance);
     if (std::isfinite(least)) {
         summary.bodyClearanceMinimum = least;

@@ -19,6 +19,16 @@ namespace toile::simulation {
 /// Curvature of the garment; zero without lines of rectangles.
 [[nodiscard]] CurvatureSummary curvatureOf(const Simulation& simulation);
 
+/// Pairs of triangles that meet.
+struct Intersections {
+    int body = 0;
+    int self = 0;        ///< of cloth, that share no corner and will share none when all seams are closed
+    int atOpenSeams = 0; ///< of cloth, that will share a corner then: the sides of a seam that closes pass each other
+};
+
+/// Counted by a test that shares no code with the contact stages.
+[[nodiscard]] Intersections intersectionsOf(const Simulation& simulation);
+
 /// How the cloth lies to the body and to itself; counted by a test that shares no code with the contact stages.
 [[nodiscard]] ContactSummary contactOf(const Simulation& simulation);
 

@@ -12,8 +12,7 @@ namespace toile::simulation {
 /// Whether two triangles of the cloth have no corner in common: else it cannot reach itself.
 [[nodiscard]] bool canReachItself(const Garment& garment);
 
-/// This garment as a surface that must not pass through itself: thickness and friction from the fabrics. Within two
-/// main spacings of its mesh along the sewn cloth, particles that an open seam brings there are ignored.
+/// This garment as a surface that must not pass through itself: thickness and friction from the fabrics.
 [[nodiscard]] dynamics::ClothSurface clothSurfaceOf(const Scene& scene, const Garment& garment);
 
 /// The stage that keeps the layers of this garment apart.

@@ -177,13 +177,14 @@ void Simulation::planSubsteps() {
                     : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
                                             loadOf(scene_));
     const int levels = coarseLevelsFor(substeps_);
-    plannedLevels_ = false;
+    plannedLevels_ = 0;
+    areLevelsDue_ = false;
     if (sewing) plan_.leaveOut("coarse levels", "cloth that yields sews well");
     else if (scene_.settings.substeps > 0) plan_.leaveOut("coarse levels", "the scene says how many substeps");
     else if (drapingMethod_ != dynamics::Method::xpbd) plan_.leaveOut("coarse levels", "no position-based steps");
     else if (levels == 0) plan_.leaveOut("coarse levels", fmt::format("{} substeps suffice", substeps_));
     else if (!levelsMayHelp()) plan_.leaveOut("coarse levels", "only while a garment falls into its place");
-    else correctByLevels(levels);
+    else planLevels(levels);
     if (!grips_->empty() && scene_.settings.substeps == 0) substeps_ = std::max(substeps_, handSubsteps);
     if (sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
 }
@@ -197,17 +198,26 @@ double Simulation::shakingTime() const {
     return goesOnAsItLay_ ? dressing.editShakingTime : dressing.shakingTime;
 }
 
-void Simulation::correctByLevels(int levels) {
-    if (whyNoLevels_.empty() && (!levels_ || levels_->count() != levels)) {
-        auto made = levelsOf(scene_.pattern, overrides_, *garment_, levels);
-        if (made) levels_ = std::move(*made);
-        else whyNoLevels_ = made.error().text;
-    }
+void Simulation::planLevels(int levels) {
     if (!whyNoLevels_.empty()) return plan_.leaveOut("coarse levels", whyNoLevels_);
+    plannedLevels_ = levels;
+    areLevelsDue_ = true;
+    substeps_ = (substeps_ + (1 << levels) - 1) >> levels;
+}
+
+/// Not before they are used: after an edit the first changed garment need not wait for them.
+void Simulation::correctByLevels() {
+    areLevelsDue_ = false;
+    if (!levels_ || levels_->count() != plannedLevels_) {
+        auto made = levelsOf(scene_.pattern, overrides_, *garment_, plannedLevels_);
+        if (!made) {
+            whyNoLevels_ = made.error().text;
+            return planSubsteps();
+        }
+        levels_ = std::move(*made);
+    }
     levels_->forget(); // so does one that is resumed here
     xpbd_->correctBy(levels_.get());
-    plannedLevels_ = true;
-    substeps_ = (substeps_ + (1 << levels) - 1) >> levels;
 }
 
 std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method method) const {
@@ -255,6 +265,7 @@ void Simulation::hold(std::vector<Grip> grips) {
 }
 
 Result<dynamics::StepReport> Simulation::moveCloth(double duration, std::stop_token stop) {
+    if (areLevelsDue_) correctByLevels();
     if (integrator_) return integrator_->step(state_, duration, gravity(), plan_.stages(), stop);
     return motion_ ? moveBesideBody(duration, stop) : moveByPositions(duration, stop);
 }

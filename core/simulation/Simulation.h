@@ -172,7 +172,8 @@ private:
     void planSubsteps();
     [[nodiscard]] Team* teamWorthWaking() const; ///< null: the cloth is too small to share
     [[nodiscard]] Result<void> drawTaut(std::stop_token stop);
-    void correctByLevels(int levels);
+    void planLevels(int levels);
+    void correctByLevels();
     [[nodiscard]] bool levelsMayHelp() const;
     [[nodiscard]] Result<dynamics::StepReport> moveCloth(double duration, std::stop_token stop);
     [[nodiscard]] std::unique_ptr<dynamics::Integrator> integratorOf(dynamics::Method method) const;
@@ -220,7 +221,8 @@ private:
     bool goesOnAsItLay_ = false; ///< after an edit of a garment that lay: dressed as long as its seams close at once
     double sewnTime_ = 0;        ///< when the last seam was closed or given up [s]
     double plannedDamping_ = 0;  ///< that of the plan [1/s]
-    bool plannedLevels_ = false; ///< the plan has coarse levels
+    int plannedLevels_ = 0;      ///< coarse levels of the plan
+    bool areLevelsDue_ = false;  ///< they are to be made, or to forget, before the next step
     int substeps_ = 0, steps_ = 0;
     double largestSpeed_ = 0, restingTime_ = 0;
     double stillTime_ = 0, sleptTime_ = 0;         ///< since when nothing moves; how long nothing was computed [s]

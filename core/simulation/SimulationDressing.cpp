@@ -130,7 +130,7 @@ void Simulation::goOnDressing(bool closedSome) {
     const Phase due = duePhase();
     if (due != phase_ && phase_ == Phase::sewing) sewnTime_ = state_.time;
     if (!closedSome && due == phase_ && closingSeams().size() + closingTacks() == closing &&
-        damping() == plannedDamping_ && !(plannedLevels_ && !levelsMayHelp()))
+        damping() == plannedDamping_ && !(plannedLevels_ > 0 && !levelsMayHelp()))
         return;
     phase_ = due;
     rebuildPlan();

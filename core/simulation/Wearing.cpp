@@ -21,7 +21,6 @@ void keepWorst(ContactSummary& worst, const ContactSummary& now) {
     worst.selfIntersections = std::max(worst.selfIntersections, now.selfIntersections);
     worst.bodyIntersections = std::max(worst.bodyIntersections, now.bodyIntersections);
     worst.nodesInWrongOrder = std::max(worst.nodesInWrongOrder, now.nodesInWrongOrder);
-    worst.guarantee = worst.guarantee && now.guarantee;
     worst.outsideBody = worst.outsideBody && now.outsideBody;
 }
 
@@ -37,8 +36,8 @@ Result<WearingReport> wear(Simulation& simulation, std::shared_ptr<const geometr
     const double begin = simulation.state().time, cpuBegin = processSeconds(), hem = lowestPoint(simulation);
     const double frameStep = simulation.scene().settings.frameStep;
     WearingReport result;
-    if (auto moved = simulation.moveBody(motion); !moved) return tl::unexpected(moved.error());
     result.contact = contactOf(simulation);
+    if (auto moved = simulation.moveBody(motion); !moved) return tl::unexpected(moved.error());
     while (simulation.bodyMoves()) {
         if (stop.stop_requested()) return fail(ErrorCode::cancelled, "The run was stopped.");
         const double elapsed = simulation.state().time - begin;

@@ -10,7 +10,8 @@ struct WearingReport {
     double seconds = 0;     ///< of the motion [s]
     int steps = 0;          ///< frame steps of it
     double bodySpeed = 0;   ///< largest [m/s]
-    ContactSummary contact; ///< the worst of all these steps
+    ContactSummary contact; ///< the worst of all these steps; its guarantee is that of before, as plans made anew on
+                            ///< the way have not looked yet
     double hemRise = 0;     ///< of the garment's lowest point, from before the motion to rest after it [m]
     double cpuSeconds = 0;  ///< of the motion
     SewReport after;        ///< at rest again; not judged as worn: the body's landmarks have not moved with it

@@ -156,12 +156,13 @@ void tst_SewCommand::framesAreKeptAsAPointCacheOrAFolder() {
     QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("cache.pc2")}).status,
              3); // not sewn yet
     QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("frames"), "--out",
-                  in("drape.obj")})
+                  in("drape.obj"), "--report", in("sew.json")})
                  .status,
              3);
     const QStringList frames = QDir(in("frames")).entryList(QDir::Files);
     QCOMPARE(frames.size(), 7); // the start and six steps
     QCOMPARE(contentOf(in("frames") + "/frame-00006.obj"), contentOf(in("drape.obj")));
+    QCOMPARE(*report().find("frames")->find("count")->asNumber(), 7.0);
     const qsizetype points = contentOf(in("drape.obj")).count("\nv ");
     QCOMPARE(contentOf(in("cache.pc2")).size(), 32 + 7 * points * 12);
 }

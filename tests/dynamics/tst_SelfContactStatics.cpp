@@ -71,6 +71,7 @@ private slots:
     void theForcesSumToZero();
     void theHessianIsTheCurvatureAcrossTheLayersAndNeverNegative();
     void theEnergyIsInfiniteWhereLayersWouldCross();
+    void layersThatSubstepsPressedToTheLeastDistanceCanMove();
     void aSheetComesToRestOnAnother();
 };
 
@@ -188,6 +189,21 @@ void tst_SelfContactStatics::theEnergyIsInfiniteWhereLayersWouldCross() {
     for (int p = 4; p < 8; ++p) x[p].y -= 1.5 * thickness;
     QVERIFY(contact.energy(x) > 0 && std::isfinite(contact.energy(x)));
     for (int p = 4; p < 8; ++p) x[p].y -= thickness;
+    QCOMPARE(contact.energy(x), std::numeric_limits<double>::infinity());
+}
+
+/// Of many that are, some come nearer where others part.
+void tst_SelfContactStatics::layersThatSubstepsPressedToTheLeastDistanceCanMove() {
+    const double least = dynamics::SelfContactSettings{}.closest;
+    Cloth cloth = turnedCells(least, 0.4);
+    SelfContact contact(cloth.model, cloth.surface);
+    contact.beginIteration(cloth.state.positions);
+    const double before = contact.energy(cloth.state.positions);
+    QVERIFY(before > 0);
+    auto x = cloth.state.positions;
+    for (int p = 4; p < 8; ++p) x[p].y = 0.2 * least;
+    QVERIFY(contact.energy(x) > before && std::isfinite(contact.energy(x)));
+    for (int p = 4; p < 8; ++p) x[p].y = 0.05 * least;
     QCOMPARE(contact.energy(x), std::numeric_limits<double>::infinity());
 }
 

@@ -4,7 +4,7 @@
 #include "core/simulation/SelfContactOf.h"
 
 #include <QTest>
-#include <algorithm>
+#include <map>
 
 using namespace toile;
 using namespace toile::simulation;
@@ -18,51 +18,29 @@ Garment garmentOf(const pattern::Pattern& pattern, const MeshOverrides& override
     return *makeGarment(pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), std::move(seams));
 }
 
-/// How far each particle of two squares is from the edge that is sewn [m].
-std::vector<double> distancesFromTheSeam(const Garment& garment) {
-    std::vector<double> distances(garment.particles.particleCount);
-    for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece)
-        for (std::size_t node = 0; node < garment.mesh->pieces[piece].nodes.size(); ++node) {
-            const double x = garment.mesh->pieces[piece].nodes[node].x;
-            distances[garment.particles.particleOf[garment.particles.firstNode[piece] + node]] =
-                piece == 0 ? 0.2 - x : x;
-        }
-    return distances;
-}
-
 } // namespace
 
 /// The cloth of a garment as a surface that keeps its layers apart.
 class tst_SelfContactOf : public QObject {
     Q_OBJECT
 private slots:
-    void sidesOfAnOpenSeamAreIgnoredWithinTwoSpacingsOfTheMesh_data() {
-        QTest::addColumn<double>("spacing"); // [m]; 0 = the document's own, 20 mm
-        QTest::addRow("as drawn") << 0.0;
-        QTest::addRow("finer than drawn") << 0.005;
-        QTest::addRow("coarser than drawn") << 0.04;
-    }
-    void sidesOfAnOpenSeamAreIgnoredWithinTwoSpacingsOfTheMesh() {
-        QFETCH(const double, spacing);
+    void onlyWhatAnOpenSeamJoinsBecomesOne() {
         const Scene scene = twoSquares(0.02);
-        const double used = spacing > 0 ? spacing : 0.02;
-        MeshOverrides overrides;
-        if (spacing > 0) overrides.spacing = spacing;
-        const Garment garment = garmentOf(scene.pattern, overrides, false);
-        const auto surface = clothSurfaceOf(scene, garment);
-        const std::vector<double> distances = distancesFromTheSeam(garment);
-        double farthest = 0;
-        for (std::size_t p = 0; p < surface.ignored.size(); ++p)
-            for (const int q : surface.ignored[p]) {
-                QVERIFY(std::ranges::count(surface.ignored[q], static_cast<int>(p)) == 1); // each ignores the other
-                farthest = std::max(farthest, distances[p] + distances[q]);
-            }
-        QCOMPARE(farthest, 2 * used);
+        const Garment garment = garmentOf(scene.pattern, {}, false);
+        const std::vector<int> becomes = clothSurfaceOf(scene, garment).becomes;
+        QCOMPARE(static_cast<int>(becomes.size()), garment.particles.particleCount);
+        std::map<int, std::vector<int>> joined;
+        for (std::size_t p = 0; p < becomes.size(); ++p) joined[becomes[p]].push_back(static_cast<int>(p));
+        std::erase_if(joined, [](const auto& one) { return one.second.size() == 1; });
+        const auto& pairs = garment.mesh->seams[0].pairs;
+        QCOMPARE(joined.size(), pairs.size());
+        for (const auto& [a, b] : pairs)
+            QCOMPARE(becomes[garment.particles.particle(a)], becomes[garment.particles.particle(b)]);
     }
 
-    void nothingIsIgnoredInWhatIsSewn() {
+    void nothingIsLetThroughInWhatIsSewn() {
         const Scene scene = twoSquares(0.02);
-        QVERIFY(clothSurfaceOf(scene, garmentOf(scene.pattern, {}, true)).ignored.empty());
+        QVERIFY(clothSurfaceOf(scene, garmentOf(scene.pattern, {}, true)).becomes.empty());
     }
 };
 

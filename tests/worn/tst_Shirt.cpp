@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WornScenes.h"
 #include "core/body/ArmLift.h"
+#include "core/simulation/FrameTally.h"
 #include "core/simulation/Wearing.h"
 #include "samples/Shirt.h"
 
@@ -93,6 +94,7 @@ class tst_Shirt : public QObject {
     Q_OBJECT
 private slots:
     void isWornWithRightOverLeftAndItsCollarTurnedDown();
+    void noFrameShowsClothInTheBodyOrInItself();
     void liftedArmsDoNotComeThroughWhatIsCrumpledOnThem();
 };
 
@@ -128,6 +130,20 @@ void tst_Shirt::isWornWithRightOverLeftAndItsCollarTurnedDown() {
         const Vec3 way = wayBetween(button, simulation.garment().particles, simulation.state().positions);
         QVERIFY2(dot(way, rightSideAt(button.ends[0], simulation)) > 0, button.name.c_str());
     }
+}
+
+/// Not while it is sewn either, but for the sides of seams that close. Its collar's seam is the last, after 1.2 s.
+void tst_Shirt::noFrameShowsClothInTheBodyOrInItself() {
+    const auto document = samples::shirt(blouseWearer().measurements, blouseWearer().body);
+    QVERIFY(document);
+    Simulation simulation = simulationOf({document->pattern, Shared<body::Body>(blouseWearer().body), document->scene});
+    FrameTally tally;
+    const auto look = [&](const Simulation& now) { tally.add(now.state().time, intersectionsOf(now)); };
+    QVERIFY(sew(simulation, {.seconds = 1.5}, {}, {}, look));
+    QVERIFY(simulation.allSeamsMerged());
+    QCOMPARE(tally.frames, 90);
+    QVERIFY2(tally.withBody.frames == 0 && tally.withItself.frames == 0, describe(tally).c_str());
+    QVERIFY(tally.atOpenSeams.last < 1.25);
 }
 
 /// The caps of the sleeves are jammed between shoulder and arm, layer on layer.
