@@ -206,7 +206,8 @@ void Simulation::planLevels(int levels) {
 }
 
 /// Not before they are used: after an edit the first changed garment need not wait for them.
-void Simulation::correctByLevels() {
+void Simulation::correctByDueLevels() {
+    if (!areLevelsDue_) return;
     areLevelsDue_ = false;
     if (!levels_ || levels_->count() != plannedLevels_) {
         auto made = levelsOf(scene_.pattern, overrides_, *garment_, plannedLevels_);
@@ -265,7 +266,7 @@ void Simulation::hold(std::vector<Grip> grips) {
 }
 
 Result<dynamics::StepReport> Simulation::moveCloth(double duration, std::stop_token stop) {
-    if (areLevelsDue_) correctByLevels();
+    correctByDueLevels();
     if (integrator_) return integrator_->step(state_, duration, gravity(), plan_.stages(), stop);
     return motion_ ? moveBesideBody(duration, stop) : moveByPositions(duration, stop);
 }

@@ -173,7 +173,7 @@ private:
     [[nodiscard]] Team* teamWorthWaking() const; ///< null: the cloth is too small to share
     [[nodiscard]] Result<void> drawTaut(std::stop_token stop);
     void planLevels(int levels);
-    void correctByLevels();
+    void correctByDueLevels();
     [[nodiscard]] bool levelsMayHelp() const;
     [[nodiscard]] Result<dynamics::StepReport> moveCloth(double duration, std::stop_token stop);
     [[nodiscard]] std::unique_ptr<dynamics::Integrator> integratorOf(dynamics::Method method) const;

@@ -59,7 +59,10 @@ Result<dynamics::StepReport> Simulation::moveBesideBody(double duration, std::st
     const double least = way / (scene_.settings.skinOffset / 4);
     const int substeps = static_cast<int>(std::ceil(std::max<double>(substeps_, least) / parts));
     for (int part = 0; part < parts; ++part) {
-        if (way > 0) rebuildPlan();
+        if (way > 0) {
+            rebuildPlan();
+            correctByDueLevels();
+        }
         if (auto done = xpbd_->step(state_, duration / parts, substeps, gravity(), plan_.stages(), stop); !done)
             return tl::unexpected(done.error());
     }
