@@ -69,6 +69,7 @@ document::Document finerOverRod() {
     across.placement = Placement{lyingAt({0, rodHeight + rodRadius + 0.01, 0}), {}};
     document::Document document = documentOf(across);
     document.avatarFile = "bodies/rod.glb";
+    document.scene.damping = 15; // or its ends would swing through each other below the rod
     return document;
 }
 

@@ -80,6 +80,7 @@ document::Document tablecloth(double spacing) {
     document.pattern.fabrics = {fabric};
     document.pattern.pieces = {cloth};
     document.avatarFile = "bodies/table.glb";
+    document.scene.selfContact = true; // as it falls, its corners strike their own folds
     return document;
 }
 
@@ -171,10 +172,11 @@ document::Document twoSquares(double side, double spacing) {
 }
 
 geometry::TriangleMesh tableMesh() {
-    std::vector<Vec2> profile{{0, 0},       {0.20, 0},    {0.22, 0.01}, {0.20, 0.02}, {0.05, 0.04},
-                              {0.04, 0.10}, {0.04, 0.60}, {0.05, 0.68}, {0.20, 0.70}};
-    constexpr double rim = 0.012; // radius of the rounding
-    constexpr int steps = 8;
+    constexpr double rim = 0.040; // radius of the rounding: cells of 25 mm must be able to follow it
+    std::vector<Vec2> profile{{0, 0},       {0.20, 0},    {0.22, 0.01},
+                              {0.20, 0.02}, {0.05, 0.04}, {0.04, 0.10},
+                              {0.04, 0.60}, {0.05, 0.64}, {0.20, tableHeight - 2 * rim}};
+    constexpr int steps = 16;
     for (int i = 0; i <= steps; ++i) { // half a circle from the underside to the top
         const double angle = std::numbers::pi * (static_cast<double>(i) / steps - 0.5);
         profile.push_back({tableRadius - rim + rim * std::cos(angle), tableHeight - rim + rim * std::sin(angle)});

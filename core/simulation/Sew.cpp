@@ -170,6 +170,19 @@ void warnOfWrongOrder(SewReport& result) {
             {"layers", fmt::format("{} nodes lie behind a piece of a lower layer.", result.contact.nodesInWrongOrder)});
 }
 
+void warnOfClothInBody(SewReport& result, double skinOffset) {
+    const ContactSummary& contact = result.contact;
+    if (contact.bodyIntersections == 0) return;
+    const bool particlesKeepOff = contact.bodyClearanceMinimum.value_or(0) >= skinOffset / 3;
+    result.warnings.push_back(
+        {"body contact",
+         fmt::format("Cloth cuts the body: {} pairs of triangles meet. {}", contact.bodyIntersections,
+                     particlesKeepOff
+                         ? "Its particles keep their distance, but cells are too coarse for how sharply the "
+                           "body is curved there; a finer spacing or a larger skin offset helps."
+                         : "Particles are pressed into it as well.")});
+}
+
 void warnOfHeldBackCloth(SewReport& result, const Simulation& simulation) {
     for (const StepPlan::StageCost& stage : simulation.stageCosts())
         if (stage.heldBack > 0)
@@ -258,6 +271,7 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     warnOfUnsolvedSteps(result);
     for (const Warning& warning : simulation.garment().mesh->report.warnings) result.warnings.push_back(warning);
     result.contact = contactOf(simulation);
+    warnOfClothInBody(result, simulation.scene().settings.skinOffset);
     warnOfWrongOrder(result);
     judgeWorn(result, simulation, settings);
     result.strain = strainOf(simulation);

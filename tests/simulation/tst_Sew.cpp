@@ -50,6 +50,7 @@ private slots:
     void progressRises();
     void energiesAreThoseOfTheState();
     void anOpenSeamIsWarnedOf();
+    void cellsThatCutTheBodyAreWarnedOf();
 };
 
 void tst_Sew::twoSquaresReachTheirGoal() {
@@ -189,6 +190,21 @@ void tst_Sew::anOpenSeamIsWarnedOf() {
     const Json& seam = json.find("seams")->asArray()->front();
     QVERIFY(seam.find("gapAtMergeMaximum")->isNull());
     QVERIFY(*seam.find("maximumGap")->asNumber() > 0.1);
+}
+
+/// Cells of 30 mm over the sharp edge of a table: their particles stay 3 mm off.
+void tst_Sew::cellsThatCutTheBodyAreWarnedOf() {
+    const auto warned = [](const SewReport& report) {
+        return std::ranges::count(report.warnings, "body contact", &Warning::place);
+    };
+    Scene scene = sheetOnTable();
+    QCOMPARE(warned(sewn(scene, {.seconds = 1})), 0);
+    pattern::Piece piece = *scene.pattern.pieces[0];
+    piece.placement->transform.origin.x = 0.33;
+    scene.pattern.pieces[0] = piece;
+    const SewReport report = sewn(scene, {.seconds = 1});
+    QVERIFY(report.contact.bodyIntersections > 0);
+    QCOMPARE(warned(report), 1);
 }
 
 QTEST_APPLESS_MAIN(tst_Sew)
