@@ -28,9 +28,25 @@ bool happensSoon(const Condition& condition) {
     return false;
 }
 
-std::uint32_t untaken(std::uint64_t left) {
-    return static_cast<std::uint32_t>(left);
+/// What nobody has taken of a call: pieces of work from first to end, packed into one number with that of the call.
+/// Who calls takes them from the end, helpers from the beginning: neighbours in one call are mostly neighbours in the
+/// next, and what a core has just worked on is in its cache.
+constexpr int bits = 20;
+constexpr std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
+
+std::uint64_t packed(std::uint64_t call, int end) {
+    return call << 2 * bits | static_cast<std::uint64_t>(end);
 }
+std::uint64_t callOf(std::uint64_t left) {
+    return left >> 2 * bits;
+}
+int firstOf(std::uint64_t left) {
+    return static_cast<int>(left >> bits & mask);
+}
+int endOf(std::uint64_t left) {
+    return static_cast<int>(left & mask);
+}
+constexpr std::uint64_t oneFirst = std::uint64_t{1} << bits, oneLast = 1;
 
 } // namespace
 
@@ -44,18 +60,17 @@ Team::~Team() {
 }
 
 void Team::share(int count, Job job) {
-    expects(count >= 0);
+    expects(count >= 0 && count <= static_cast<int>(mask));
     if (count == 0) return;
     while (std::ssize(helpers_) < std::min(count, members_) - 1) helpers_.emplace_back([this] { help(); });
     job_ = job;
     undone_.store(count, std::memory_order_relaxed);
-    const std::uint64_t call = (left_.load(std::memory_order_relaxed) >> 32) + 1;
-    left_.store(call << 32 | static_cast<std::uint32_t>(count), std::memory_order_release);
+    left_.store(packed(callOf(left_.load(std::memory_order_relaxed)) + 1, count), std::memory_order_release);
     if (count > 1) {
         ++calls_;
         calls_.notify_all();
     }
-    while (takeOne()) {
+    while (takeOne(true)) {
     }
     const auto allDone = [this] { return undone_.load(std::memory_order_acquire) == 0; };
     if (!happensSoon(allDone))
@@ -64,9 +79,10 @@ void Team::share(int count, Job job) {
 }
 
 void Team::help() {
-    while (!dismissed_) {
-        const std::uint32_t seen = calls_;
-        while (takeOne()) {
+    for (;;) {
+        const std::uint32_t seen = calls_; // before the question: who dismisses calls afterwards
+        if (dismissed_) return;
+        while (takeOne(false)) {
         }
         const auto isCalled = [&] { return calls_.load(std::memory_order_relaxed) != seen; };
         if (!happensSoon(isCalled)) calls_.wait(seen);
@@ -75,13 +91,13 @@ void Team::help() {
 
 /// False when nothing is left to be taken. What was taken belongs to the call under way, which cannot end before it is
 /// done: only then is the job read.
-bool Team::takeOne() {
+bool Team::takeOne(bool last) {
     std::uint64_t left = left_.load(std::memory_order_acquire);
     do {
-        if (untaken(left) == 0) return false;
-    } while (!left_.compare_exchange_weak(left, left - 1, std::memory_order_acquire));
+        if (firstOf(left) == endOf(left)) return false;
+    } while (!left_.compare_exchange_weak(left, last ? left - oneLast : left + oneFirst, std::memory_order_acquire));
     try {
-        job_.call(job_.work, static_cast<int>(untaken(left)) - 1);
+        job_.call(job_.work, last ? endOf(left) - 1 : firstOf(left));
     } catch (...) {
         const std::lock_guard lock(guard_);
         failure_ = std::current_exception();

@@ -38,11 +38,11 @@ private:
     };
     void share(int count, Job job);
     void help();
-    bool takeOne();
+    bool takeOne(bool last);
 
     int members_;
     Job job_;                             ///< changes only while nothing is left of it and all is done
-    std::atomic<std::uint64_t> left_{0};  ///< number of the call · 2³² + pieces of work that nobody has taken
+    std::atomic<std::uint64_t> left_{0};  ///< number of the call, first and end of what nobody has taken (Team.cpp)
     std::atomic<int> undone_{0};          ///< pieces of work that are not done
     std::atomic<std::uint32_t> calls_{0}; ///< what helpers sleep on
     std::atomic<bool> dismissed_{false};

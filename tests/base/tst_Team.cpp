@@ -31,6 +31,14 @@ private slots:
         }
     }
 
+    void helpersThatHaveJustBegunAreDismissedAsWell() {
+        for (int round = 0; round < 2000; ++round) {
+            int times = 0;
+            Team(3).run(1 + round % 3, [&](int i) { times += i == 0; });
+            QCOMPARE(times, 1);
+        }
+    }
+
     void callsThatFollowSlowlyAreHeardAsWell() {
         Team team(4);
         for (int round = 0; round < 20; ++round) {
