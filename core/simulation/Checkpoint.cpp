@@ -43,6 +43,15 @@ void addModel(Numbers& numbers, const Garment& garment) {
     for (const cloth::Hinge& h : model.hinges) numbers.add(h.restAngle, h.stiffness);
     for (const auto& t : model.triangles) numbers.add(t.stiffness);
     for (const auto& c : model.cells) numbers.add(c.stiffness);
+    if (!model.tensionCurves.empty()) {
+        for (const auto& t : model.triangles) numbers.add(t.tension);
+        for (const auto& c : model.cells) numbers.add(c.tension);
+    }
+    for (const cloth::TensionCurves& curves : model.tensionCurves)
+        for (const auto* curve : {&curves.warp, &curves.weft}) {
+            numbers.add(curve->size());
+            for (const material::TensionPoint& point : *curve) numbers.add(point.strain, point.modulusFactor);
+        }
     for (const double t : garment.halfThickness) numbers.add(t);
     for (const double f : garment.friction) numbers.add(f);
 }
@@ -59,8 +68,13 @@ std::string fingerprintOf(const Scene& scene, const Garment& garment) {
         for (const pattern::ClothPoint& end : tack.ends) numbers.add(end.point.x, end.point.y);
         numbers.add(tack.order);
     }
-    for (std::size_t i = 0; i < scene.pattern.pieces.size(); ++i)
-        if (const double p = scene.pattern.pieces[i]->pressure; p != 0) numbers.add(i, p);
+    for (std::size_t i = 0; i < scene.pattern.pieces.size(); ++i) {
+        const pattern::Piece& piece = *scene.pattern.pieces[i];
+        if (piece.pressure != 0) numbers.add(i, piece.pressure);
+        if (piece.layer != 0) numbers.add(i, piece.layer);
+    }
+    for (std::size_t i = 0; i < scene.pattern.seams.size(); ++i)
+        if (const int order = scene.pattern.seams[i].order; order != 0) numbers.add(i, order);
     const SceneSettings& s = scene.settings;
     if (s.air) {
         numbers.add(s.air->wind);

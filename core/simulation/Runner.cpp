@@ -53,11 +53,11 @@ public:
         wake();
     }
     void pause() {
-        playing_ = false;
+        stopPlaying();
         wake();
     }
     void requestStep() {
-        playing_ = false;
+        stopPlaying();
         ++steps_;
         wake();
     }
@@ -71,11 +71,11 @@ public:
     }
     void moveBody(std::shared_ptr<const geometry::VertexMotion> motion) {
         motions_.put(std::move(motion));
-        playing_ = true;
+        playsWithBody_ = true;
         wake();
     }
     void requestReset() {
-        playing_ = false;
+        stopPlaying();
         reset_ = true;
         wake();
     }
@@ -84,7 +84,7 @@ public:
         wake();
     }
     void resume(Checkpoint checkpoint) {
-        playing_ = false;
+        stopPlaying();
         resumed_.put(std::move(checkpoint));
         wake();
     }
@@ -94,6 +94,7 @@ public:
     [[nodiscard]] std::optional<Frame> takeFrame() { return frames_.take(); }
 
 private:
+    void stopPlaying() { playing_ = playsWithBody_ = false; }
     void wake() {
         ++signal_;
         signal_.notify_one();
@@ -109,8 +110,9 @@ private:
     Mailbox<Checkpoint> resumed_;
     Mailbox<Result<Checkpoint>> checkpoints_;
     std::atomic<bool> playing_{false}, reset_{false};
-    std::atomic<bool> asked_{false};  ///< for a checkpoint
-    std::atomic<bool> pushed_{false}; ///< play was ordered and not seen yet
+    std::atomic<bool> asked_{false};         ///< for a checkpoint
+    std::atomic<bool> pushed_{false};        ///< play was ordered and not seen yet
+    std::atomic<bool> playsWithBody_{false}; ///< time will run if the body may move as it was ordered
     std::atomic<bool> finishWanted_{false};
     std::atomic<int> steps_{0};
     std::atomic<std::uint64_t> signal_{1};    ///< counts orders
@@ -120,9 +122,11 @@ private:
 
     // -- the worker's
     void run(std::stop_token stop) {
-        while (!stop.stop_requested()) {
-            // Read in this order, so that a scene handed over before play was pressed is taken over before it plays.
+        for (;;) {
+            // Read in this order, so that a scene handed over before play was pressed is taken over before it plays,
+            // and who stops the thread wakes it afterwards.
             const std::uint64_t seen = signal_;
+            if (stop.stop_requested()) return;
             const bool mayPlay = playing_, mayStep = steps_ > 0;
             if (auto order = orders_.take()) accept(std::move(*order));
             if (reset_.exchange(false)) restart();
@@ -153,15 +157,15 @@ private:
     void accept(Order order) {
         scene_ = std::move(order.scene);
         generation_ = order.generation;
-        attempts_ = 0;
         adopt(simulation_ && simulation_->steps() > 0 ? Simulation::continued(scene_, *simulation_)
                                                       : Simulation::create(scene_));
     }
 
     /// A hand that moves wakes a garment at rest.
     void take(std::vector<Grip> grips) {
+        held_ = std::move(grips);
         if (!stands()) return;
-        simulation_->hold(std::move(grips));
+        simulation_->hold(held_);
         attempts_ = 0;
         playUntil_ = simulation_->state().time + atLeast;
     }
@@ -172,10 +176,14 @@ private:
         resting_ = false;
         finish_ = Finish::none;
         attempts_ = 0;
+        if (!playsWithBody_.exchange(false)) return; // paused meanwhile
+        playing_ = true;
+        ++signal_;
     }
 
     void restart() {
         simulation_.reset();
+        held_.clear();
         if (generation_ > 0) adopt(Simulation::create(scene_));
     }
 
@@ -198,7 +206,9 @@ private:
         broken_ = !made;
         if (broken_) return stopWith(toString(made.error()));
         simulation_.emplace(std::move(*made));
+        simulation_->hold(held_);
         finish_ = Finish::none;
+        attempts_ = 0;
         simulation_->workWith(team_);
         publish({});
     }
@@ -255,7 +265,7 @@ private:
             between.finish = Finish::underWay;
             for (std::size_t v = 0; v < settled.size(); ++v)
                 between.positions[v] = lerp(rested.positions[v], settled[v], eased(static_cast<double>(i) / frames));
-            frames_.put(std::move(between));
+            show(std::move(between));
             std::this_thread::sleep_for(glideFrame);
         }
     }
@@ -267,11 +277,18 @@ private:
         frame.finish = finish_;
         frame.finishMove = finishMove_;
         resting_ = frame.atRest;
+        show(std::move(frame));
+    }
+
+    /// A frame that was not taken in time hands on what it had to say of the same scene.
+    void show(Frame frame) {
+        const auto unseen = frames_.take();
+        if (unseen && frame.message.empty() && unseen->generation == frame.generation) frame.message = unseen->message;
         frames_.put(std::move(frame));
     }
 
     void stopWith(std::string message) {
-        playing_ = false;
+        stopPlaying();
         publish(std::move(message));
     }
 
@@ -279,9 +296,10 @@ private:
     std::uint64_t generation_ = 0;
     const std::shared_ptr<Team> team_ = std::make_shared<Team>(); ///< all cores
     std::optional<Simulation> simulation_;
-    bool broken_ = false;  ///< the scene could not be built; simulation_ is of one before it
-    bool resting_ = false; ///< the frame published last is at rest
-    double playUntil_ = 0; ///< at rest or not [s]
+    std::vector<Grip> held_; ///< by hands, whether there is a garment or not
+    bool broken_ = false;    ///< the scene could not be built; simulation_ is of one before it
+    bool resting_ = false;   ///< the frame published last is at rest
+    double playUntil_ = 0;   ///< at rest or not [s]
     Finish finish_ = Finish::none;
     double finishMove_ = 0; ///< of the finish before [m]
     int attempts_ = 0;      ///< of statics, since something was changed or held

@@ -87,7 +87,7 @@ public:
                                                     const Checkpoint& checkpoint);
     /// Where it stands now, of a body that stands where the scene has it. What is only remembered from step to step
     /// (what friction holds, which layers are near) is let go here as it will be by the simulation that is resumed:
-    /// both go on to the same bits.
+    /// both go on to the same bits, if hands hold the same.
     [[nodiscard]] Checkpoint checkpoint();
 
     /// Integrates by this method (not in a scene of the paper) while no seam is being closed; sewing itself is

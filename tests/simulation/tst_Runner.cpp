@@ -32,6 +32,9 @@ private slots:
     void aCheckpointIsGoneOnFromByAnotherRunner();
     void aCheckpointOfAnotherSceneIsRefused();
     void theBodyMovesAndClothThatRestedGoesAlong();
+    void aMotionThatIsRefusedIsSaidAndMovesNothing();
+    void handsHoldAcrossACheckpoint();
+    void aHandThatLetsGoOfABrokenSceneHoldsNoMore();
     void fiveHundredEditsWhileItSews();
 
 private:
@@ -345,6 +348,77 @@ void tst_Runner::theBodyMovesAndClothThatRestedGoesAlong() {
     std::ranges::reverse(up.poses);
     runner.moveBody(std::make_shared<const geometry::VertexMotion>(up));
     QVERIFY(waitForFrame(runner, [](const Frame& frame) { return frame.atRest && !frame.body; }));
+}
+
+void tst_Runner::aMotionThatIsRefusedIsSaidAndMovesNothing() {
+    Runner runner;
+    Scene scene = twoSquares(0.05);
+    scene.body = Shared<body::Body>(box());
+    const std::vector<Vec3>& vertices = (*scene.body)->mesh.vertices;
+    const auto wrong = std::make_shared<const geometry::VertexMotion>(
+        geometry::VertexMotion{0.2, {std::vector<Vec3>(vertices.size(), Vec3{1, 1, 1}), vertices}});
+    runner.setScene(scene, 1);
+    runner.moveBody(wrong); // while it stands
+    QVERIFY(waitForFrame(runner, [](const Frame& frame) { return !frame.message.empty(); }));
+    QVERIFY(QTest::qWaitFor([&] { return !runner.isBusy(); }, 60000));
+    QVERIFY(!runner.isPlaying());
+
+    runner.play();
+    QVERIFY(waitForFrame(runner, [](const Frame& frame) { return frame.time > 0.05; }));
+    runner.moveBody(wrong); // while it plays: more frames come than are taken
+    const auto seen = waitForFrame(runner, [](const Frame& frame) {
+        QTest::qSleep(20);
+        return !frame.message.empty() || frame.time > 1;
+    });
+    QVERIFY(seen && !seen->message.empty());
+}
+
+namespace {
+
+const std::vector<Grip> pinnedCorner{{.piece = "left", .material = {0, 0}, .target = {-0.3, 1, 0}}};
+
+bool hangs(const Frame& frame) {
+    return std::ranges::max(frame.positions, {}, &Vec3::y).y > 0.8;
+}
+
+} // namespace
+
+/// A square of two that fall holds on to a pin.
+void tst_Runner::handsHoldAcrossACheckpoint() {
+    Runner runner;
+    Scene scene = twoSquares(0.05);
+    scene.pattern.seams.clear();
+    scene.settings.gravity = {0, -9.81, 0};
+    runner.setScene(scene, 1);
+    runner.hold(pinnedCorner);
+    runner.play();
+    QVERIFY(waitForFrame(runner, [](const Frame& frame) { return frame.time > 0.1; }));
+    runner.pause();
+    runner.resume(checkpointOf(runner));
+    runner.play();
+    const auto later = waitForFrame(runner, [](const Frame& frame) { return frame.time > 1; });
+    QVERIFY(later && hangs(*later));
+}
+
+void tst_Runner::aHandThatLetsGoOfABrokenSceneHoldsNoMore() {
+    Runner runner;
+    Scene scene = twoSquares(0.05);
+    scene.pattern.seams.clear();
+    scene.settings.gravity = {0, -9.81, 0};
+    Scene wrong = scene;
+    wrong.settings.frameStep = -1;
+    runner.setScene(scene, 1);
+    runner.hold(pinnedCorner);
+    runner.play();
+    QVERIFY(waitForFrame(runner, [](const Frame& frame) { return frame.time > 0.1; }));
+    runner.setScene(wrong, 2);
+    QVERIFY(waitForFrame(runner, [](const Frame& frame) { return frame.generation == 2; }));
+    runner.hold({});
+    QVERIFY(QTest::qWaitFor([&] { return !runner.isBusy(); }, 60000));
+    runner.setScene(scene, 3);
+    runner.play();
+    const auto later = waitForFrame(runner, [](const Frame& frame) { return frame.generation == 3 && frame.time > 1; });
+    QVERIFY(later && !hangs(*later));
 }
 
 void tst_Runner::fiveHundredEditsWhileItSews() {

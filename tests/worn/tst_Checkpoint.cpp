@@ -32,6 +32,7 @@ private slots:
     void whatIsResumedGoesOnToTheSameBits();
     void howFarTacksAreIsKept();
     void aCheckpointOfAnotherSceneIsRefused();
+    void aCheckpointOfAKnitOfAnotherTensionIsRefused();
     void aBrokenFileIsRefusedWithItsField_data();
     void aBrokenFileIsRefusedWithItsField();
 
@@ -110,9 +111,34 @@ void tst_Checkpoint::aCheckpointOfAnotherSceneIsRefused() {
     fabric.warpBending *= 1.01;
     stiffer.pattern.fabrics[0] = fabric;
     QVERIFY(whyNot(stiffer).find("different") != std::string::npos);
+    Scene later = shirt();
+    later.pattern.seams[0].order += 1;
+    QVERIFY(whyNot(later).find("different") != std::string::npos);
+    Scene above = shirt();
+    pattern::Piece piece = *above.pattern.pieces[0];
+    piece.layer += 1;
+    above.pattern.pieces[0] = piece;
+    QVERIFY(whyNot(above).find("different") != std::string::npos);
     Scene fewer = shirt();
     fewer.pattern.seams.pop_back();
     QVERIFY(whyNot(fewer).find("seams") != std::string::npos);
+}
+
+void tst_Checkpoint::aCheckpointOfAKnitOfAnotherTensionIsRefused() {
+    const auto ofKnit = [](double atTwentyPercent) {
+        Scene scene = shirt();
+        material::Fabric fabric = *scene.pattern.fabrics[0];
+        fabric.kind = material::FabricKind::knit;
+        fabric.weftTension = {{0.1, 1}, {0.2, atTwentyPercent}};
+        scene.pattern.fabrics[0] = fabric;
+        return scene;
+    };
+    auto simulation = Simulation::create(ofKnit(2));
+    QVERIFY(simulation);
+    const Checkpoint point = simulation->checkpoint();
+    QVERIFY(Simulation::resumed(ofKnit(2), {}, point));
+    const auto tighter = Simulation::resumed(ofKnit(2.02), {}, point);
+    QVERIFY(!tighter && toString(tighter.error()).find("different") != std::string::npos);
 }
 
 void tst_Checkpoint::aBrokenFileIsRefusedWithItsField_data() {
