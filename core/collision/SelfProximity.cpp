@@ -4,6 +4,7 @@
 #include "core/base/Contracts.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -239,19 +240,21 @@ SelfProximity::Pairs SelfProximity::collect(std::span<const Vec3> positions, std
     fitNodes();
     const std::vector<NodePair> shares = sharesOfSearch(team && team->members() > 1 ? wanted : 1);
     std::vector<std::vector<Near>> found(shares.size());
+    std::atomic<std::size_t> count{0}; // in all shares: none goes on when together they have too many
     const auto search = [&](int s) {
         forNearTriangles(shares[s], [&](const NodePair& leaves) {
+            const std::size_t before = found[s].size();
             visitElements(leaves, [&](const ElementPair& pair) {
                 const Separation separation = separationOf(pair, positions);
                 if (mayMeet(pair, separation)) found[s].push_back({pair, separation.distance});
             });
-            return found[s].size() <= most;
+            const std::size_t more = found[s].size() - before;
+            return (more > 0 ? count.fetch_add(more, std::memory_order_relaxed) + more
+                             : count.load(std::memory_order_relaxed)) <= most;
         });
     };
     if (team) team->run(static_cast<int>(shares.size()), search);
     else if (!shares.empty()) search(0);
-    std::size_t count = 0;
-    for (const auto& share : found) count += share.size();
     if (count > most) return std::nullopt;
     if (found.size() == 1) return std::move(found.front());
     std::vector<Near> all;

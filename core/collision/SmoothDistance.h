@@ -35,7 +35,6 @@ public:
 
     [[nodiscard]] SmoothValue at(const Vec3& p, Patch& patch);
 
-    [[nodiscard]] double spacing() const { return spacing_; }
     [[nodiscard]] std::size_t bytes() const;
 
 private:

@@ -13,7 +13,7 @@ namespace toile::dynamics {
 
 using geometry::Vec3;
 
-/// Carries tension over long ways at once: the same cloth at 2, 4, 8 … times the spacing, corrected before the sweep of
+/// Carries tension over long ways at once: the same cloth at 2, 4, 8 … times the spacing, corrected after the sweep of
 /// each position-based substep, from the coarsest down.
 ///
 /// With L levels the transport error of a line of n springs is that of n/2^L. A coarse triangle acts where it is taut,

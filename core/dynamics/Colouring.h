@@ -37,11 +37,6 @@ std::vector<int> coloursOf(const std::vector<Element>& elements, int particleCou
     return order;
 }
 
-template <class Element, class ParticlesOf>
-std::vector<int> colouredOrder(const std::vector<Element>& elements, int particleCount, ParticlesOf particlesOf) {
-    return orderByColour(coloursOf(elements, particleCount, particlesOf));
-}
-
 /// Where colours begin in that order, and the end; each element of the last is on its own.
 [[nodiscard]] inline std::vector<int> bordersOfColours(std::vector<int> colours) {
     std::ranges::sort(colours);

@@ -5,19 +5,20 @@
 
 namespace toile::dynamics {
 
-Eliminated::Eliminated(const cloth::ClothModel& model) : model_(&model), pinned_(model.mass.size(), 0) {
+Eliminated::Eliminated(const cloth::ClothModel& model) : model_(&model) {
     const int particles = model.particleCount();
+    std::vector<char> isPinned(particles, 0);
     std::vector<int> slaveOf(particles, -1);
-    for (int particle : model.pinned) pinned_[particle] = 1;
+    for (int particle : model.pinned) isPinned[particle] = 1;
     for (int s = 0; s < static_cast<int>(model.slaves.size()); ++s) {
         const int particle = model.slaves[s].particle;
-        if (pinned_[particle]) continue;
+        if (isPinned[particle]) continue;
         slaveOf[particle] = s;
         slaves_.push_back(s);
     }
     unknown_.assign(particles, -1);
     for (int p = 0; p < particles; ++p) {
-        if (pinned_[p] || slaveOf[p] >= 0) continue;
+        if (isPinned[p] || slaveOf[p] >= 0) continue;
         unknown_[p] = static_cast<int>(free_.size());
         free_.push_back(p);
         if (massless_ < 0 && !(model.mass[p] > 0)) massless_ = p;

@@ -18,7 +18,6 @@ public:
     [[nodiscard]] std::span<const int> free() const { return free_; } ///< particle of each unknown, rising
     /// Unknown of a free particle; −1 otherwise.
     [[nodiscard]] int unknownOf(int particle) const { return unknown_[particle]; }
-    [[nodiscard]] bool isPinned(int particle) const { return pinned_[particle]; }
 
     using Term = std::pair<int, double>;
     /// x(particle) = Σ weight · x(unknown) + a constant: (unknown, weight).
@@ -39,7 +38,6 @@ public:
 
 private:
     const cloth::ClothModel* model_;
-    std::vector<char> pinned_;
     std::vector<int> free_, unknown_, slaves_, begin_;
     std::vector<Term> terms_;
     int massless_ = -1;

@@ -13,9 +13,6 @@ namespace {
 
 using collision::gapAlong;
 
-/// Within which the normal force of the substeps is averaged [s].
-constexpr double forceMemory = 1.0 / 60;
-
 } // namespace
 
 SelfContact::SelfContact(const cloth::ClothModel& model, ClothSurface surface, SelfContactSettings settings)

@@ -128,10 +128,7 @@ void SelfContact::seekForStatics(std::span<const Vec3> positions) {
             return;
     }
     staticMove_ = 0;
-    isComingKnown_ = false;
-    watches_.clear();
-    contacts_.clear();
-    from_.assign(positions.begin(), positions.end());
+    static_cast<void>(watch(std::vector<collision::SelfProximity::Near>{}, positions));
 }
 
 double SelfContact::energy(std::span<const Vec3> positions) const {

@@ -9,7 +9,7 @@
 
 namespace toile::simulation {
 
-/// How many coarse levels a cloth is worth that would need so many substeps: none up to 60, then as many as leave 20 of
+/// How many coarse levels a cloth is worth that would need so many substeps: none up to 60, then as many as leave 24 of
 /// them, for each level halves their number.
 [[nodiscard]] int coarseLevelsFor(int substeps);
 

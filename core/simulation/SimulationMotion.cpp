@@ -56,7 +56,8 @@ Result<dynamics::StepReport> Simulation::moveBesideBody(double duration, std::st
     constexpr double planReach = 0.01; // cells are taken for near a bump within 30 mm [m]
     const double way = motion_->farthestBetween(state_.time, state_.time + duration);
     const int parts = std::max(1, static_cast<int>(std::ceil(way / planReach)));
-    const double least = way / (scene_.settings.skinOffset / 4);
+    constexpr double leastKept = 0.001; // cloth that is to lie on the skin itself does not ask for endless substeps [m]
+    const double least = way / (std::max(scene_.settings.skinOffset, leastKept) / 4);
     const int substeps = static_cast<int>(std::ceil(std::max<double>(substeps_, least) / parts));
     for (int part = 0; part < parts; ++part) {
         if (way > 0) {

@@ -33,6 +33,7 @@ class tst_Wearing : public QObject {
 private slots:
     void clothGoesAlongWithItsBody();
     void aFastBodyTakesMoreSubsteps();
+    void clothOnTheSkinItselfGoesAlongAsWell();
     void motionsThatCannotBeAreRefused();
     void nothingSettlesWhileTheBodyMoves();
     void cancelledMotionsStop();
@@ -69,6 +70,18 @@ void tst_Wearing::aFastBodyTakesMoreSubsteps() {
     // 0.1 m in a frame step: 10 plans of 10 mm, 13⅓ quarters of the skin offset each
     QVERIFY(substeps < 140);
     QCOMPARE(simulation.phases().back().steps.parts, 10 * 14);
+}
+
+void tst_Wearing::clothOnTheSkinItselfGoesAlongAsWell() {
+    Scene scene = sheetOnTable();
+    scene.settings.skinOffset = 0;
+    Simulation simulation = simulationOf(scene);
+    const Vec3 before = middleOf(simulation), way{0, 0.1, 0};
+    QVERIFY(simulation.moveBody(pushed(scene, way, 0.5)).has_value());
+    while (simulation.bodyMoves()) QVERIFY(simulation.advance().has_value());
+    QVERIFY(middleOf(simulation).y > 0.6); // the table is that high now
+    QVERIFY(simulation.phases().back().steps.parts < 30 * 100);
+    QVERIFY(before.y < 0.6);
 }
 
 void tst_Wearing::motionsThatCannotBeAreRefused() {
