@@ -47,14 +47,17 @@ std::size_t SelfContact::bytes() const {
            awake_.capacity() * sizeof(std::size_t) + (proximity_ ? proximity_->bytes() : 0);
 }
 
-void SelfContact::beginStep(const ParticleState&, double duration) {
+void SelfContact::beginStep(const ParticleState& state, double duration) {
     frame_ = duration;
-    if (mayPierce_ || !anchors_.empty()) from_.clear(); // layers cross, or statics has been at work: look again
+    const bool isRepeated = seenUntil_ > state.time + duration / 2; // from where it began
+    // Layers cross, statics has been at work, or what was seen last was taken back: look again.
+    if (mayPierce_ || !anchors_.empty() || isRepeated) from_.clear();
     anchors_.clear();
 }
 
 void SelfContact::project(Substep& substep) {
     anchors_.clear();
+    seenUntil_ = substep.time;
     double from = strayed(substep);
     if (!(from <= slack_)) {
         if (!foresee(substep)) return standStill(substep);

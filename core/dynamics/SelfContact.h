@@ -220,6 +220,7 @@ private:
     double ahead_ = 1;                  ///< part of what should be looked ahead for which pairs are not too many [–]
     double slack_ = 0, staticMove_ = 0; ///< of the settings, what holds for the pairs watched now [m]
     double frame_ = 0;                  ///< duration of the step [s]
+    double seenUntil_ = 0;              ///< the end of the last substep [s]
     int searches_ = 0, shortSearches_ = 0, heldBack_ = 0;
     std::vector<std::size_t> touching_; ///< pairs to be pushed in this substep, or to be held apart
     std::vector<Vec3> wanted_;          ///< where particles would go before their ways are shortened [m]
