@@ -8,6 +8,12 @@ namespace toile::document {
 History::History(Document document, HistorySettings settings)
     : values_{{std::string(), document}}, saved_(std::move(document)), settings_(settings) {}
 
+History History::unsaved(Document document, HistorySettings settings) {
+    History history(std::move(document), settings);
+    history.saved_.reset();
+    return history;
+}
+
 void History::push(std::string name, Document next, const std::string& mergeKey) {
     if (next == current()) return;
     values_.resize(at_ + 1);

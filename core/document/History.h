@@ -4,6 +4,7 @@
 #include "core/document/Document.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,10 @@ struct HistorySettings {
 /// The document with its past and future values: undo is the value we had before.
 class History {
 public:
+    /// Begins with a document as it lies in its file, or with an empty one.
     explicit History(Document document = {}, HistorySettings settings = {});
+    /// Begins with a document that lies in no file as it is: modified until it is saved, with nothing before it.
+    [[nodiscard]] static History unsaved(Document document, HistorySettings settings = {});
 
     [[nodiscard]] const Document& current() const { return values_[at_].document; }
 
@@ -40,7 +44,7 @@ public:
         endMerge();
     }
     /// The current value differs from the one last saved, or the one it began with.
-    [[nodiscard]] bool isModified() const { return !(current() == saved_); }
+    [[nodiscard]] bool isModified() const { return !saved_ || !(current() == *saved_); }
 
 private:
     struct Step {
@@ -49,7 +53,7 @@ private:
     };
     std::vector<Step> values_;
     std::size_t at_ = 0;
-    Document saved_;
+    std::optional<Document> saved_; ///< absent = no value is
     std::string mergeKey_;
     HistorySettings settings_;
 };

@@ -18,6 +18,7 @@ private slots:
     void theNextDragIsAStepOfItsOwn();
     void anEqualValueIsNoStep();
     void itIsModifiedUntilTheSavedValueIsBack();
+    void whatLiesInNoFileIsModifiedAndHasNoPast();
     void onlySoManyStepsAreKept();
 };
 
@@ -96,6 +97,18 @@ void tst_History::itIsModifiedUntilTheSavedValueIsBack() {
     history.undo();
     QVERIFY(history.isModified());
     history.redo();
+    QVERIFY(!history.isModified());
+}
+
+void tst_History::whatLiesInNoFileIsModifiedAndHasNoPast() {
+    History history = History::unsaved(withNumber(1));
+    QVERIFY(history.isModified());
+    QVERIFY(!history.canUndo());
+    history.push("Two", withNumber(2));
+    history.undo();
+    QVERIFY(history.current() == withNumber(1));
+    QVERIFY(history.isModified()); // back at its beginning, which is in no file either
+    history.markSaved();
     QVERIFY(!history.isModified());
 }
 

@@ -158,6 +158,9 @@ void tst_FileCommands::aGarmentCodePatternIsImported() {
     QCOMPARE(bench.pattern().seams.size(), std::size_t(2));
     QVERIFY(bench.window.isWindowModified());  // it is no document of ours yet
     QVERIFY(bench.workbench.path().isEmpty()); // saving asks where to
+    QVERIFY(!bench.action("edit.undo")->isEnabled());
+    bench.key(Qt::Key_Z, Qt::ControlModifier); // undoes nothing
+    QCOMPARE(bench.pattern().pieces.size(), std::size_t(2));
     QTRY_COMPARE(bench.workbench.mesh().size(), std::size_t(2));
 }
 

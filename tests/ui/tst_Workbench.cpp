@@ -342,6 +342,7 @@ void tst_Workbench::unsavedWorkIsRecovered() {
     QVERIFY(bench.recover(probe.leftovers().front()));
     QVERIFY(bench.document() == *io::asWritten(twoRectangles()));
     QVERIFY(bench.isModified());
+    QVERIFY(!bench.history().canUndo()); // there is nothing before it that could be saved over the user's file
     QVERIFY(probe.leftovers().empty());
 }
 

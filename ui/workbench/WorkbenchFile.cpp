@@ -28,8 +28,7 @@ Result<void> Workbench::open(const QString& path) {
 
 void Workbench::startFrom(document::Document document, const QString& path, bool modified) {
     path_ = path;
-    history_ = modified ? document::History() : document::History(document);
-    if (modified) history_.push((path.isEmpty() ? tr("Import") : tr("Recover")).toStdString(), std::move(document));
+    history_ = modified ? document::History::unsaved(std::move(document)) : document::History(std::move(document));
     if (journal_) journal_->clear();
     recovery_.stop();
     pause();
