@@ -102,9 +102,10 @@ struct Bench {
             answer(*dialog);
         });
     }
-    /// The next dialog asks for a file and gets this one.
-    static void nextFile(const QString& path) {
-        whenAsked<QFileDialog>([path](QFileDialog& dialog) {
+    /// The next dialog asks for a file and gets this one, of this kind where the name does not say it.
+    static void nextFile(const QString& path, const QString& kind = {}) {
+        whenAsked<QFileDialog>([path, kind](QFileDialog& dialog) {
+            if (!kind.isEmpty()) dialog.selectNameFilter(kind);
             auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
             name->setText(path);
             QTest::keyClick(name, Qt::Key_Return);

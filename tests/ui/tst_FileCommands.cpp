@@ -22,6 +22,9 @@ class tst_FileCommands : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() { prepareApplication(); }
+    void aDocumentIsSavedUnderANameThatOpenReads_data();
+    void aDocumentIsSavedUnderANameThatOpenReads();
+    void aFileIsReplacedOnlyAfterAQuestion();
     void theDrapeIsExported_data();
     void theDrapeIsExported();
     void aSimulationIsSavedAndResumedInAnotherWindow();
@@ -69,6 +72,29 @@ bool crashAfterAnEdit(const QString& recoveryFolder) {
     std::abort();
 }
 
+/// Waits for a dialog that another one leads to.
+template <class Dialog>
+void onceAsked(std::function<void(Dialog&)> answer) {
+    QTimer::singleShot(5, [answer = std::move(answer)] {
+        auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+        return dialog ? answer(*dialog) : onceAsked(answer);
+    });
+}
+
+/// Who does not replace the file is asked for another name, and gives up.
+void answerReplacing(QMessageBox::ButtonRole answer) {
+    onceAsked<QMessageBox>([answer](QMessageBox& box) {
+        if (answer == QMessageBox::RejectRole) onceAsked<QFileDialog>([](QFileDialog& dialog) { dialog.reject(); });
+        for (QAbstractButton* button : box.buttons())
+            if (box.buttonRole(button) == answer) return button->click();
+    });
+}
+
+QString contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
 void answerRecovery(const QString& button) {
     Bench::whenAsked<QMessageBox>([button](QMessageBox& box) {
         for (QAbstractButton* each : box.buttons())
@@ -78,6 +104,53 @@ void answerRecovery(const QString& button) {
 }
 
 } // namespace
+
+void tst_FileCommands::aDocumentIsSavedUnderANameThatOpenReads_data() {
+    QTest::addColumn<QString>("asked");
+    QTest::addColumn<QString>("file");
+    QTest::newRow("ours") << "tee.toile"
+                          << "tee.toile";
+    QTest::newRow("ours in capitals") << "tee.TOILE"
+                                      << "tee.TOILE";
+    QTest::newRow("no ending") << "tee"
+                               << "tee.toile";
+    QTest::newRow("a dot that begins no ending") << "tee v1.2"
+                                                 << "tee v1.2.toile";
+    QTest::newRow("the ending of another format") << "tee.json"
+                                                  << "tee.json.toile";
+}
+
+void tst_FileCommands::aDocumentIsSavedUnderANameThatOpenReads() {
+    QFETCH(QString, asked);
+    QFETCH(QString, file);
+    QTemporaryDir folder;
+    Bench bench;
+    bench.workbench.apply({QStringLiteral("Draw"), twoRectangles()});
+    Bench::nextFile(folder.filePath(asked));
+    bench.action("file.saveAs")->trigger();
+    QCOMPARE(bench.workbench.path(), folder.filePath(file));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList(file));
+    bench.workbench.startNew();
+    QVERIFY(bench.window.files().openFile(folder.filePath(file)));
+    QCOMPARE(bench.pattern().pieces.size(), std::size_t(2));
+}
+
+void tst_FileCommands::aFileIsReplacedOnlyAfterAQuestion() {
+    QTemporaryDir folder;
+    const QString file = written(folder, "tee v1.2.toile", "older work");
+    Bench bench;
+    bench.workbench.apply({QStringLiteral("Draw"), twoRectangles()});
+    Bench::nextFile(folder.filePath(QStringLiteral("tee v1.2")));
+    answerReplacing(QMessageBox::RejectRole);
+    bench.action("file.saveAs")->trigger();
+    QCOMPARE(contentOf(file), QStringLiteral("older work"));
+    QVERIFY(bench.workbench.isModified());
+    Bench::nextFile(folder.filePath(QStringLiteral("tee v1.2")));
+    answerReplacing(QMessageBox::DestructiveRole);
+    bench.action("file.saveAs")->trigger();
+    QVERIFY(contentOf(file).startsWith(QLatin1Char('{')));
+    QVERIFY(!bench.workbench.isModified());
+}
 
 void tst_FileCommands::theDrapeIsExported_data() {
     QTest::addColumn<QString>("asked");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/FileCommands.h"
 
+#include "ui/window/SaveDialog.h"
+
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -52,12 +54,9 @@ bool FileCommands::save() {
 }
 
 bool FileCommands::saveAs() {
-    QFileDialog dialog(&window_, tr("Save as"), QFileInfo(workbench_.path()).absolutePath(),
-                       tr("Toile documents (*.toile)"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QStringLiteral("toile"));
-    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return false;
-    return saveTo(dialog.selectedFiles().front());
+    const QString path = fileToWrite(window_, tr("Save as"), QFileInfo(workbench_.path()).absolutePath(),
+                                     tr("Toile documents (*.toile)"));
+    return !path.isEmpty() && saveTo(path);
 }
 
 bool FileCommands::saveTo(const QString& path) {
