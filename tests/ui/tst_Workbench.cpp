@@ -95,6 +95,7 @@ private Q_SLOTS:
     void undoBringsTheValueBack();
     void savingAndOpeningGivesTheSameDocument();
     void modifiedMarkFollowsSaving();
+    void theAvatarIsFoundAfterSavingElsewhereAndUndo();
     void unsavedWorkIsRecovered();
     void savedWorkLeavesNothingToRecover();
     void selectionForgetsWhatIsDeleted();
@@ -322,6 +323,34 @@ void tst_Workbench::modifiedMarkFollowsSaving() {
     QVERIFY(!bench.isModified());
     bench.undo();
     QVERIFY(bench.isModified());
+}
+
+void tst_Workbench::theAvatarIsFoundAfterSavingElsewhereAndUndo() {
+    QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("here")) && QDir(folder.path()).mkdir(QStringLiteral("there")));
+    const QString here = folder.filePath(QStringLiteral("here/two.toile"));
+    const QString there = folder.filePath(QStringLiteral("there/two.toile"));
+    QVERIFY(io::writeToile(document::withAvatar(twoRectangles(), "body.glb"), here.toStdString()));
+    Fixture fixture;
+    std::vector<std::string> read;
+    WorkbenchParts parts = fixture.parts();
+    parts.readBody = [&read](const std::string& file) -> Result<body::Body> {
+        read.push_back(file);
+        return body::Body{};
+    };
+    Workbench bench(std::move(parts));
+    QVERIFY(bench.open(here));
+    QTRY_VERIFY(bench.body());
+    bench.apply({QStringLiteral("Draw"), withRectangle(bench.document(), "Sleeve", {1, 0}, 0.2, 0.3)});
+    QVERIFY(bench.saveAs(there));
+    QCOMPARE(io::readToile(there.toStdString())->avatarFile, std::string("../here/body.glb"));
+    QCOMPARE(bench.history().undoName(), std::string("Draw")); // saving is no step
+
+    bench.undo();
+    QTRY_VERIFY(!bench.isReadingBody());
+    QCOMPARE(read, std::vector{folder.filePath(QStringLiteral("here/body.glb")).toStdString()});
+    QVERIFY(bench.saveAs(there));
+    QCOMPARE(io::readToile(there.toStdString())->avatarFile, std::string("../here/body.glb"));
 }
 
 void tst_Workbench::unsavedWorkIsRecovered() {

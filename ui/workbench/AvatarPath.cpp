@@ -12,10 +12,9 @@ QString avatarPath(const std::string& avatar, const QString& documentPath) {
     return QDir::cleanPath(QFileInfo(documentPath).absoluteDir().filePath(file));
 }
 
-std::string avatarName(const QString& file, const QString& documentPath) {
-    const QString absolute = QFileInfo(file).absoluteFilePath();
-    if (documentPath.isEmpty()) return absolute.toStdString();
-    return QFileInfo(documentPath).absoluteDir().relativeFilePath(absolute).toStdString();
+std::string avatarName(const std::string& avatar, const QString& documentPath) {
+    if (avatar.empty()) return {};
+    return QFileInfo(documentPath).absoluteDir().relativeFilePath(QString::fromStdString(avatar)).toStdString();
 }
 
 } // namespace toile::ui

@@ -7,10 +7,13 @@
 
 namespace toile::ui {
 
-/// Where the document's avatar lies: its path is relative to the document's file.
+/// Where the avatar lies that a document's file names: relative to the file, where it has one.
+///
+/// While a document is open it names its avatar by this absolute path, in every step of its history: wherever it is
+/// saved, undo finds the same body.
 [[nodiscard]] QString avatarPath(const std::string& avatar, const QString& documentPath);
 
-/// How the document names a file: relative to its own where it has one.
-[[nodiscard]] std::string avatarName(const QString& file, const QString& documentPath);
+/// How a document's file names an avatar: relative to itself. Empty stays empty.
+[[nodiscard]] std::string avatarName(const std::string& avatar, const QString& documentPath);
 
 } // namespace toile::ui

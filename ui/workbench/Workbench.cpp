@@ -2,7 +2,9 @@
 #include "ui/workbench/Workbench.h"
 
 #include "core/document/DocumentEdits.h"
-#include "ui/workbench/AvatarPath.h"
+
+#include <QDir>
+#include <QFileInfo>
 
 #include <utility>
 
@@ -87,7 +89,8 @@ void Workbench::redo() {
 }
 
 void Workbench::importAvatar(const QString& path) {
-    apply({tr("Import avatar"), document::withAvatar(document(), avatarName(path, path_))});
+    const QString file = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+    apply({tr("Import avatar"), document::withAvatar(document(), file.toStdString())});
 }
 
 void Workbench::removeAvatar() {
@@ -112,7 +115,7 @@ void Workbench::documentMoved() {
 
 /// Reads the document's body on a thread of its own; until it is there the simulation is not handed anything new.
 void Workbench::loadBody() {
-    const QString file = avatarPath(document().avatarFile, path_);
+    const QString file = QString::fromStdString(document().avatarFile);
     if (file == bodyFile_) return;
     bodyFile_ = file;
     bodyLoading_ = !file.isEmpty() && parts_.readBody;

@@ -36,6 +36,7 @@ public:
     explicit Workbench(WorkbenchParts parts, QObject* parent = nullptr);
     ~Workbench() override;
 
+    /// The path of its avatar is absolute while it is open.
     [[nodiscard]] const document::Document& document() const { return history_.current(); }
     [[nodiscard]] const document::History& history() const { return history_; }
     [[nodiscard]] const FlatPattern& flat() const { return flat_; }
@@ -107,6 +108,7 @@ Q_SIGNALS:
     void messageChanged(const QString& message, bool isProblem);
 
 private:
+    [[nodiscard]] Result<document::Document> readAs(const QString& path, const QString& file) const;
     void documentMoved();
     void loadBody();
     void takeBody(const QString& file, Result<body::Body> body);

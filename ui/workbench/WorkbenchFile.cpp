@@ -19,11 +19,19 @@ void Workbench::startNew() {
 }
 
 Result<void> Workbench::open(const QString& path) {
-    auto read = parts_.read(path.toStdString());
+    const QString file = QFileInfo(path).absoluteFilePath();
+    auto read = readAs(file, file);
     if (!read) return tl::unexpected(read.error());
     const bool ours = path.endsWith(QLatin1String(".toile"), Qt::CaseInsensitive);
-    startFrom(std::move(*read), ours ? QFileInfo(path).absoluteFilePath() : QString(), !ours);
+    startFrom(std::move(*read), ours ? file : QString(), !ours);
     return {};
+}
+
+/// A document that belongs at `path`; its avatar is named from everywhere.
+Result<document::Document> Workbench::readAs(const QString& path, const QString& file) const {
+    auto read = parts_.read(file.toStdString());
+    if (read) read->avatarFile = avatarPath(read->avatarFile, path).toStdString();
+    return read;
 }
 
 void Workbench::startFrom(document::Document document, const QString& path, bool modified) {
@@ -45,15 +53,15 @@ void Workbench::startFrom(document::Document document, const QString& path, bool
 }
 
 Result<void> Workbench::openCopy(const QString& path) {
-    auto read = parts_.read(path.toStdString());
+    const QString file = QFileInfo(path).absoluteFilePath();
+    auto read = readAs(file, file);
     if (!read) return tl::unexpected(read.error());
-    read->avatarFile = avatarPath(read->avatarFile, QFileInfo(path).absoluteFilePath()).toStdString();
     startFrom(std::move(*read), {}, false);
     return {};
 }
 
 Result<void> Workbench::recover(const Journal::Leftover& leftover) {
-    auto read = parts_.read(leftover.file.toStdString());
+    auto read = readAs(leftover.path, leftover.file);
     if (!read) return tl::unexpected(read.error());
     startFrom(std::move(*read), leftover.path, true);
     record(); // under our own name, before the other one goes
@@ -63,11 +71,9 @@ Result<void> Workbench::recover(const Journal::Leftover& leftover) {
 
 Result<void> Workbench::saveAs(const QString& path) {
     document::Document toWrite = document();
-    if (!toWrite.avatarFile.empty()) // the same body, named from the new place
-        toWrite.avatarFile = avatarName(avatarPath(toWrite.avatarFile, path_), path);
+    toWrite.avatarFile = avatarName(toWrite.avatarFile, path);
     if (auto written = parts_.write(path.toStdString(), toWrite); !written) return written;
     path_ = QFileInfo(path).absoluteFilePath();
-    if (!(toWrite == document())) history_.push(tr("Save as").toStdString(), std::move(toWrite));
     history_.markSaved();
     if (journal_) journal_->clear();
     recovery_.stop();
