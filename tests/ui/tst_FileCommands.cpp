@@ -34,6 +34,7 @@ private Q_SLOTS:
     void aBrokenFileIsRefusedWithASentence();
     void workOfAKilledProgramIsRecovered();
     void lostWorkCanBeDiscarded();
+    void discardedWorkStaysRecordedWhileItStaysOpen();
 };
 
 namespace {
@@ -279,6 +280,29 @@ void tst_FileCommands::lostWorkCanBeDiscarded() {
     QVERIFY(bench.pattern().pieces.empty());
     QVERIFY(bench.workbench.journal()->leftovers().empty());
     QVERIFY(QDir(folder.path()).entryList({QStringLiteral("*.toile")}, QDir::Files).isEmpty());
+}
+
+void tst_FileCommands::discardedWorkStaysRecordedWhileItStaysOpen() {
+    QTemporaryDir folder, recovery;
+    const auto records = [&] {
+        return QDir(recovery.path()).entryList({QStringLiteral("*.recovery.toile")}, QDir::Files).size();
+    };
+    const auto discard = [](QMessageBox& box) { box.button(QMessageBox::Discard)->click(); };
+    Bench bench(recovery.path());
+    bench.workbench.apply({QStringLiteral("Draw"), twoRectangles()});
+    QVERIFY(bench.workbench.journal()->record(bench.workbench.document(), {}));
+
+    Bench::whenAsked<QMessageBox>([&](QMessageBox& box) {
+        discard(box);
+        onceAsked<QMessageBox>([](QMessageBox& problem) { problem.accept(); });
+    });
+    QVERIFY(!bench.window.files().openFile(written(folder, "broken.toile", "{")));
+    QVERIFY(bench.workbench.document() == twoRectangles());
+    QCOMPARE(records(), 1);
+
+    Bench::whenAsked<QMessageBox>(discard);
+    QVERIFY(bench.window.files().openFile(written(folder, "panels.json", twoPanels)));
+    QCOMPARE(records(), 0);
 }
 
 int main(int argc, char** argv) {

@@ -97,7 +97,10 @@ private Q_SLOTS:
     void modifiedMarkFollowsSaving();
     void theAvatarIsFoundAfterSavingElsewhereAndUndo();
     void unsavedWorkIsRecovered();
+    void theOnlyRecordIsKeptWhenItCannotBeTakenOver();
+    void whoNeverPausesIsRecorded();
     void savedWorkLeavesNothingToRecover();
+    void undoneWorkLeavesNothingToRecover();
     void selectionForgetsWhatIsDeleted();
     void everyNumberOfASheetSetsWhatItShows();
     void theSheetOfAPieceProposesItsSpacing();
@@ -367,12 +370,52 @@ void tst_Workbench::unsavedWorkIsRecovered() {
     QCOMPARE(probe.leftovers().size(), std::size_t(1));
 
     Fixture next;
-    Workbench bench(next.parts());
+    parts = next.parts();
+    parts.recoveryFolder = folder.path();
+    Workbench bench(std::move(parts));
     QVERIFY(bench.recover(probe.leftovers().front()));
     QVERIFY(bench.document() == *io::asWritten(twoRectangles()));
     QVERIFY(bench.isModified());
     QVERIFY(!bench.history().canUndo()); // there is nothing before it that could be saved over the user's file
     QVERIFY(probe.leftovers().empty());
+}
+
+void tst_Workbench::theOnlyRecordIsKeptWhenItCannotBeTakenOver() {
+    QTemporaryDir folder;
+    const Journal::Write write = [](const std::string& file, const document::Document& d) {
+        return io::writeToile(d, file);
+    };
+    QVERIFY(Journal(folder.path(), write).record(twoRectangles(), {}));
+    Fixture fixture;
+    WorkbenchParts parts = fixture.parts();
+    parts.recoveryFolder = folder.path();
+    parts.write = [](const std::string&, const document::Document&) -> Result<void> {
+        return fail(ErrorCode::io, "The disk is full.");
+    };
+    Workbench bench(std::move(parts));
+    QSignalSpy told(&bench, &Workbench::messageChanged);
+    QVERIFY(bench.recover(bench.journal()->leftovers().front()));
+    QVERIFY(bench.document() == *io::asWritten(twoRectangles()));
+    QCOMPARE(bench.journal()->leftovers().size(), std::size_t(1)); // offered again at the next start
+    QCOMPARE(told.size(), 1);
+    QVERIFY(told[0][0].toString().contains(QStringLiteral("disk is full")));
+}
+
+void tst_Workbench::whoNeverPausesIsRecorded() {
+    QTemporaryDir folder;
+    Fixture fixture;
+    WorkbenchParts parts = fixture.parts();
+    parts.recoveryFolder = folder.path();
+    parts.recoveryDelay = std::chrono::milliseconds(100);
+    Workbench bench(std::move(parts));
+    const auto isRecorded = [&] {
+        return !QDir(folder.path()).entryList({QStringLiteral("*.recovery.toile")}).isEmpty();
+    };
+    for (int i = 0; i < 400 && !isRecorded(); ++i) {
+        bench.apply({QStringLiteral("Draw"), withRectangle({}, "Front", {0, 0}, 0.2, 0.3 + i * 0.001)});
+        QTest::qWait(5);
+    }
+    QVERIFY(isRecorded());
 }
 
 void tst_Workbench::savedWorkLeavesNothingToRecover() {
@@ -386,6 +429,18 @@ void tst_Workbench::savedWorkLeavesNothingToRecover() {
     QTRY_COMPARE(recovery.entryList({QStringLiteral("*.toile")}).size(), 1);
     QVERIFY(bench.saveAs(folder.filePath(QStringLiteral("two.toile"))));
     QVERIFY(recovery.entryList({QStringLiteral("*.toile")}).isEmpty());
+}
+
+void tst_Workbench::undoneWorkLeavesNothingToRecover() {
+    QTemporaryDir folder;
+    Fixture fixture;
+    WorkbenchParts parts = fixture.parts();
+    parts.recoveryFolder = folder.path();
+    Workbench bench(std::move(parts));
+    bench.apply({QStringLiteral("Draw"), twoRectangles()});
+    QTRY_COMPARE(QDir(folder.path()).entryList({QStringLiteral("*.toile")}).size(), 1);
+    bench.undo();
+    QTRY_VERIFY(QDir(folder.path()).entryList({QStringLiteral("*.toile")}).isEmpty());
 }
 
 void tst_Workbench::selectionForgetsWhatIsDeleted() {

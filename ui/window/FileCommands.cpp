@@ -135,9 +135,7 @@ bool FileCommands::mayDiscard() {
     box.setDefaultButton(QMessageBox::Save);
     switch (box.exec()) {
     case QMessageBox::Save: return save();
-    case QMessageBox::Discard:
-        if (Journal* journal = workbench_.journal()) journal->clear();
-        return true;
+    case QMessageBox::Discard: return true; // the record goes with the work: what is to be opened may not be readable
     default: return false;
     }
 }

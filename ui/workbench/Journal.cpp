@@ -41,11 +41,9 @@ Result<void> Journal::record(const document::Document& document, const QString& 
     if (auto written = write_(folder.filePath(name_ + documentEnding).toStdString(), document); !written)
         return written;
     QSaveFile note(folder.filePath(name_ + noteEnding));
-    if (!note.open(QIODevice::WriteOnly))
-        return fail(ErrorCode::io, "The recovery note could not be written.", {.file = note.fileName().toStdString()});
-    note.write(path.toUtf8() + '\n');
-    note.commit();
-    return {};
+    const bool noted = note.open(QIODevice::WriteOnly) && note.write(path.toUtf8() + '\n') >= 0 && note.commit();
+    if (noted) return {};
+    return fail(ErrorCode::io, "The recovery note could not be written.", {.file = note.fileName().toStdString()});
 }
 
 void Journal::clear() {

@@ -44,7 +44,9 @@ Workbench::Workbench(WorkbenchParts parts, QObject* parent)
     connect(&frames_, &QTimer::timeout, this, &Workbench::pollFrame);
     recovery_.setSingleShot(true);
     recovery_.setInterval(parts_.recoveryDelay);
-    connect(&recovery_, &QTimer::timeout, this, &Workbench::record);
+    connect(&recovery_, &QTimer::timeout, this, [this] {
+        if (auto recorded = record(); !recorded) tell(QString::fromStdString(toString(recorded.error())), true);
+    });
     startNew();
 }
 
@@ -61,7 +63,7 @@ void Workbench::apply(const Edit& edit) {
     const bool wasModified = isModified();
     history_.push(edit.name.toStdString(), edit.after, edit.mergeKey);
     documentMoved();
-    if (journal_) recovery_.start();
+    recordSoon();
     if (isModified() != wasModified) Q_EMIT fileChanged();
 }
 
@@ -76,7 +78,7 @@ void Workbench::undo() {
     if (!history_.canUndo()) return;
     history_.undo();
     documentMoved();
-    if (journal_) recovery_.start();
+    recordSoon();
     Q_EMIT fileChanged();
 }
 
@@ -84,7 +86,7 @@ void Workbench::redo() {
     if (!history_.canRedo()) return;
     history_.redo();
     documentMoved();
-    if (journal_) recovery_.start();
+    recordSoon();
     Q_EMIT fileChanged();
 }
 

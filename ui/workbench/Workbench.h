@@ -116,7 +116,8 @@ private:
     void tellOfFinish(const simulation::Frame& frame);
     void follow();   ///< what was ordered
     void handOver(); ///< document → mesh preview and simulation
-    void record();
+    void recordSoon();
+    [[nodiscard]] Result<void> record();
 
     WorkbenchParts parts_;
     document::History history_;

@@ -64,8 +64,10 @@ Result<void> Workbench::recover(const Journal::Leftover& leftover) {
     auto read = readAs(leftover.path, leftover.file);
     if (!read) return tl::unexpected(read.error());
     startFrom(std::move(*read), leftover.path, true);
-    record(); // under our own name, before the other one goes
-    Journal::discard(leftover);
+    if (!journal_) return {};
+    // Under our own name, before the other one goes: until then that is the only copy.
+    if (auto recorded = record(); recorded) Journal::discard(leftover);
+    else tell(QString::fromStdString(toString(recorded.error())), true);
     return {};
 }
 
@@ -81,10 +83,16 @@ Result<void> Workbench::saveAs(const QString& path) {
     return {};
 }
 
-void Workbench::record() {
-    if (!journal_ || !isModified()) return;
-    if (auto written = journal_->record(document(), path_); !written)
-        tell(QString::fromStdString(toString(written.error())), true);
+/// Edits that follow do not put it off: who never pauses is recorded as well.
+void Workbench::recordSoon() {
+    if (journal_ && !recovery_.isActive()) recovery_.start();
+}
+
+Result<void> Workbench::record() {
+    if (!journal_) return {};
+    if (isModified()) return journal_->record(document(), path_);
+    journal_->clear(); // undone: what was recorded before is not wanted back
+    return {};
 }
 
 } // namespace toile::ui
