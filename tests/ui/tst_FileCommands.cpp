@@ -27,6 +27,7 @@ private Q_SLOTS:
     void aFileIsReplacedOnlyAfterAQuestion();
     void theDrapeIsExported_data();
     void theDrapeIsExported();
+    void anExportReplacesAFileOnlyAfterAQuestion();
     void aSimulationIsSavedAndResumedInAnotherWindow();
     void aCheckpointThatCannotBeReadIsRefused();
     void withoutADrapeThereIsNothingToExport();
@@ -53,6 +54,12 @@ QString written(const QTemporaryDir& folder, const char* name, const char* text)
     if (!file.open(QIODevice::WriteOnly)) qFatal("cannot write %s", name);
     file.write(text);
     return file.fileName();
+}
+
+void drape(Bench& bench) {
+    QVERIFY(bench.workbench.openCopy(qEnvironmentVariable("TOILE_SOURCE_DIR") +
+                                     QStringLiteral("/samples/two-squares.toile")));
+    QTRY_VERIFY(bench.workbench.frame().has_value());
 }
 
 /// This very test as a program that edits and is killed before it saves.
@@ -155,26 +162,53 @@ void tst_FileCommands::aFileIsReplacedOnlyAfterAQuestion() {
 
 void tst_FileCommands::theDrapeIsExported_data() {
     QTest::addColumn<QString>("asked");
+    QTest::addColumn<QString>("kind");
     QTest::addColumn<QString>("file");
-    QTest::newRow("glTF") << "drape.glb"
-                          << "drape.glb";
-    QTest::newRow("OBJ") << "drape.obj"
-                         << "drape.obj";
-    QTest::newRow("glTF where no ending is given") << "drape"
-                                                   << "drape.glb";
+    const auto row = [](const char* name, const char* asked, const char* kind, const char* file) {
+        QTest::newRow(name) << QString::fromLatin1(asked) << QString::fromLatin1(kind) << QString::fromLatin1(file);
+    };
+    row("glTF", "drape.glb", "", "drape.glb");
+    row("OBJ", "drape.obj", "", "drape.obj");
+    row("glTF where no ending is given", "drape", "", "drape.glb");
+    row("OBJ where it is chosen", "drape", "Wavefront OBJ (*.obj)", "drape.obj");
+    row("OBJ where it is chosen, and a dot begins no ending", "drape v1.2", "Wavefront OBJ (*.obj)", "drape v1.2.obj");
+    row("what the name says where another is chosen", "drape.ply", "Wavefront OBJ (*.obj)", "drape.ply");
 }
 
 void tst_FileCommands::theDrapeIsExported() {
     QFETCH(QString, asked);
+    QFETCH(QString, kind);
     QFETCH(QString, file);
     QTemporaryDir folder;
     Bench bench;
-    QVERIFY(bench.workbench.openCopy(qEnvironmentVariable("TOILE_SOURCE_DIR") +
-                                     QStringLiteral("/samples/two-squares.toile")));
-    QTRY_VERIFY(bench.workbench.frame().has_value());
-    Bench::nextFile(folder.filePath(asked));
+    drape(bench);
+    Bench::nextFile(folder.filePath(asked), kind);
     bench.key(Qt::Key_E, Qt::ControlModifier);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList(file));
     QVERIFY(QFileInfo(folder.filePath(file)).size() > 1000);
+}
+
+void tst_FileCommands::anExportReplacesAFileOnlyAfterAQuestion() {
+    QTemporaryDir folder;
+    Bench bench;
+    drape(bench);
+    const QString older = written(folder, "drape.obj", "an older one");
+    const QString checkpoint = written(folder, "evening.checkpoint", "an older one");
+    Bench::nextFile(folder.filePath(QStringLiteral("drape")), QStringLiteral("Wavefront OBJ (*.obj)"));
+    answerReplacing(QMessageBox::RejectRole);
+    bench.key(Qt::Key_E, Qt::ControlModifier);
+    QCOMPARE(contentOf(older), QStringLiteral("an older one"));
+    Bench::nextFile(folder.filePath(QStringLiteral("evening")));
+    answerReplacing(QMessageBox::RejectRole);
+    bench.action("simulation.saveCheckpoint")->trigger();
+    QTRY_VERIFY(!bench.workbench.isFollowing());
+    QCOMPARE(contentOf(checkpoint), QStringLiteral("an older one"));
+
+    Bench::nextFile(folder.filePath(QStringLiteral("drape")), QStringLiteral("Wavefront OBJ (*.obj)"));
+    answerReplacing(QMessageBox::DestructiveRole);
+    bench.key(Qt::Key_E, Qt::ControlModifier);
+    QVERIFY(QFileInfo(older).size() > 1000);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files), (QStringList{"drape.obj", "evening.checkpoint"}));
 }
 
 void tst_FileCommands::aSimulationIsSavedAndResumedInAnotherWindow() {

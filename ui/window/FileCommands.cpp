@@ -17,10 +17,6 @@ namespace {
 constexpr int recentFiles = 8;
 const QString recentKey = QStringLiteral("recentFiles");
 
-QString withEnding(const QString& path, const QString& ending) {
-    return QFileInfo(path).suffix().isEmpty() ? path + ending : path;
-}
-
 } // namespace
 
 FileCommands::FileCommands(Workbench& workbench, QWidget& window, DrapeWriter writeDrape, QStringList sampleFolders)
@@ -72,11 +68,9 @@ bool FileCommands::saveTo(const QString& path) {
 void FileCommands::exportDrape() {
     if (!workbench_.frame() || !writeDrape_)
         return workbench_.tell(tr("There is no drape to export yet: simulate first."), true);
-    const QString path =
-        QFileDialog::getSaveFileName(&window_, tr("Export drape"), QFileInfo(workbench_.path()).absolutePath(),
+    const QString file = fileToWrite(window_, tr("Export drape"), QFileInfo(workbench_.path()).absolutePath(),
                                      tr("glTF binary (*.glb);;Wavefront OBJ (*.obj);;PLY (*.ply);;STL (*.stl)"));
-    if (path.isEmpty()) return;
-    const QString file = withEnding(path, QStringLiteral(".glb"));
+    if (file.isEmpty()) return;
     if (auto written = writeDrape_(file.toStdString(), *workbench_.frame()); !written)
         return complain(tr("The drape cannot be exported"), written.error());
     workbench_.tell(tr("Exported %1").arg(QFileInfo(file).fileName()));
@@ -86,10 +80,9 @@ void FileCommands::saveCheckpoint() {
     if (!workbench_.frame()) return workbench_.tell(tr("There is no simulation yet that could be saved."), true);
     const QFileInfo document(workbench_.path());
     const QString beside = document.absoluteDir().filePath(document.completeBaseName() + QStringLiteral(".checkpoint"));
-    const QString path =
-        QFileDialog::getSaveFileName(&window_, tr("Save checkpoint"), workbench_.path().isEmpty() ? QString() : beside,
+    const QString file = fileToWrite(window_, tr("Save checkpoint"), workbench_.path().isEmpty() ? QString() : beside,
                                      tr("Toile checkpoints (*.checkpoint)"));
-    if (!path.isEmpty()) workbench_.saveCheckpoint(withEnding(path, QStringLiteral(".checkpoint")));
+    if (!file.isEmpty()) workbench_.saveCheckpoint(file);
 }
 
 void FileCommands::resume() {
