@@ -96,6 +96,7 @@ private Q_SLOTS:
     void savingAndOpeningGivesTheSameDocument();
     void modifiedMarkFollowsSaving();
     void theAvatarIsFoundAfterSavingElsewhereAndUndo();
+    void theAvatarIsReadAnewWhenItIsImportedOrOpenedAgain();
     void unsavedWorkIsRecovered();
     void theOnlyRecordIsKeptWhenItCannotBeTakenOver();
     void whoNeverPausesIsRecorded();
@@ -354,6 +355,38 @@ void tst_Workbench::theAvatarIsFoundAfterSavingElsewhereAndUndo() {
     QCOMPARE(read, std::vector{folder.filePath(QStringLiteral("here/body.glb")).toStdString()});
     QVERIFY(bench.saveAs(there));
     QCOMPARE(io::readToile(there.toStdString())->avatarFile, std::string("../here/body.glb"));
+}
+
+/// Its file may be another one by now, under the same name.
+void tst_Workbench::theAvatarIsReadAnewWhenItIsImportedOrOpenedAgain() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("two.toile"));
+    const QString avatar = folder.filePath(QStringLiteral("body.glb"));
+    Fixture fixture;
+    std::atomic<int> readings = 0;
+    WorkbenchParts parts = fixture.parts();
+    parts.readBody = [&readings](const std::string&) -> Result<body::Body> {
+        body::Body body;
+        body.mesh.vertices.resize(static_cast<std::size_t>(++readings));
+        if (readings == 1) return fail(ErrorCode::io, "The file is half written.");
+        return body;
+    };
+    Workbench bench(std::move(parts));
+    const auto vertices = [&] { return bench.body() ? (*bench.body())->mesh.vertices.size() : 0; };
+    bench.importAvatar(avatar);
+    QTRY_VERIFY(!bench.isReadingBody());
+    QVERIFY(!bench.body());
+    bench.apply({QStringLiteral("Draw"), withRectangle(bench.document(), "Front", {0, 0}, 0.2, 0.3)});
+    QVERIFY(!bench.isReadingBody()); // not at every edit
+    bench.importAvatar(avatar);
+    QTRY_COMPARE(vertices(), std::size_t(2));
+    bench.importAvatar(avatar);
+    QTRY_COMPARE(vertices(), std::size_t(3));
+    QVERIFY(bench.scene()->body == bench.body());
+    QCOMPARE(bench.history().undoName(), std::string("Draw")); // the document is the same
+    QVERIFY(bench.saveAs(file));
+    QVERIFY(bench.open(file));
+    QTRY_COMPARE(vertices(), std::size_t(4));
 }
 
 void tst_Workbench::unsavedWorkIsRecovered() {

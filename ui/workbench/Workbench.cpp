@@ -92,6 +92,7 @@ void Workbench::redo() {
 
 void Workbench::importAvatar(const QString& path) {
     const QString file = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+    bodyFile_.reset();
     apply({tr("Import avatar"), document::withAvatar(document(), file.toStdString())});
 }
 
@@ -120,20 +121,21 @@ void Workbench::loadBody() {
     const QString file = QString::fromStdString(document().avatarFile);
     if (file == bodyFile_) return;
     bodyFile_ = file;
+    const std::uint64_t reading = ++bodyReading_;
     bodyLoading_ = !file.isEmpty() && parts_.readBody;
     if (!bodyLoading_) {
         body_.reset();
         Q_EMIT bodyChanged();
         return;
     }
-    bodyThread_ = std::jthread([this, file, read = parts_.readBody] {
-        auto body = read(file.toStdString());
-        QMetaObject::invokeMethod(this, [this, file, body = std::move(body)] { takeBody(file, body); });
+    bodyThread_ = std::jthread([this, reading, file = file.toStdString(), read = parts_.readBody] {
+        auto body = read(file);
+        QMetaObject::invokeMethod(this, [this, reading, body = std::move(body)] { takeBody(reading, body); });
     });
 }
 
-void Workbench::takeBody(const QString& file, Result<body::Body> body) {
-    if (file != bodyFile_) return; // another one is wanted by now
+void Workbench::takeBody(std::uint64_t reading, Result<body::Body> body) {
+    if (reading != bodyReading_) return; // another one is wanted by now
     bodyLoading_ = false;
     body_.reset();
     if (body) body_ = Shared<body::Body>(std::move(*body));

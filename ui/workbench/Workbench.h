@@ -69,7 +69,8 @@ public:
     /// Goes on with the unsaved work of a program that ended by accident.
     [[nodiscard]] Result<void> recover(const Journal::Leftover& leftover);
     [[nodiscard]] Result<void> saveAs(const QString& path);
-    /// The body of the file becomes the document's avatar: one undoable step.
+    /// The body of the file becomes the document's avatar: one undoable step. It is read although it is the avatar
+    /// already: the file may be another one by now.
     void importAvatar(const QString& path);
     void removeAvatar();
     [[nodiscard]] Journal* journal() { return journal_ ? &*journal_ : nullptr; }
@@ -111,7 +112,7 @@ private:
     [[nodiscard]] Result<document::Document> readAs(const QString& path, const QString& file) const;
     void documentMoved();
     void loadBody();
-    void takeBody(const QString& file, Result<body::Body> body);
+    void takeBody(std::uint64_t reading, Result<body::Body> body);
     void takeCheckpoint();
     void tellOfFinish(const simulation::Frame& frame);
     void follow();   ///< what was ordered
@@ -128,8 +129,10 @@ private:
     MeshedPattern meshed_;
     std::optional<simulation::Frame> frame_;
     std::optional<Shared<body::Body>> body_;
-    QString bodyFile_;         ///< path that body_ was read from, or is being read from
-    bool bodyLoading_ = false; ///< the simulation waits for it
+    std::optional<QString>
+        bodyFile_;                  ///< path that body_ was read from, or is being read from; absent = to be read anew
+    std::uint64_t bodyReading_ = 0; ///< counts the readings: what an older one gives is dropped
+    bool bodyLoading_ = false;      ///< the simulation waits for it
     bool playWhenReady_ = false;
     std::optional<simulation::Checkpoint> resumeWhenReady_;
     QString checkpointPath_;                        ///< where the checkpoint that was asked for goes

@@ -42,6 +42,7 @@ void Workbench::startFrom(document::Document document, const QString& path, bool
     pause();
     resumeWhenReady_.reset();
     scene_.reset();
+    bodyFile_.reset();
     resetNext_ = true;
     selection_.clear();
     frame_.reset();
