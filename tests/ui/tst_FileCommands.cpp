@@ -32,6 +32,7 @@ private Q_SLOTS:
     void aCheckpointThatCannotBeReadIsRefused();
     void withoutADrapeThereIsNothingToExport();
     void aGarmentCodePatternIsImported();
+    void whatAnImportAssumesIsTold();
     void aBrokenFileIsRefusedWithASentence();
     void workOfAKilledProgramIsRecovered();
     void lostWorkCanBeDiscarded();
@@ -270,6 +271,27 @@ void tst_FileCommands::aGarmentCodePatternIsImported() {
     bench.key(Qt::Key_Z, Qt::ControlModifier); // undoes nothing
     QCOMPARE(bench.pattern().pieces.size(), std::size_t(2));
     QTRY_COMPARE(bench.workbench.mesh().size(), std::size_t(2));
+}
+
+void tst_FileCommands::whatAnImportAssumesIsTold() {
+    QTemporaryDir folder;
+    QByteArray text(twoPanels);
+    QVERIFY(text.contains(R"(, "units_in_meter": 100)"));
+    text.replace(R"(, "units_in_meter": 100)", "");
+    text.replace("[20,30],[0,30]]", "[20,32],[0,30]]"); // sides of different length
+    Bench bench;
+    QVERIFY(bench.window.files().openFile(written(folder, "panels.json", text)));
+    const auto* message = bench.find<QLabel>("statusMessage");
+    QVERIFY(message->text().startsWith(QStringLiteral("Opened panels.json. Remarks (")));
+    QVERIFY(message->text().contains(QStringLiteral("centimetres are assumed")));
+    QVERIFY(message->text().contains(QStringLiteral("ease")));
+    QVERIFY(!message->text().contains(QLatin1Char('\n')));
+    QVERIFY(message->toolTip().contains(QStringLiteral("\nunits: ")));
+
+    const auto saved = folder.filePath(QStringLiteral("panels.toile"));
+    QVERIFY(bench.workbench.saveAs(saved));
+    QVERIFY(bench.window.files().openFile(saved)); // a document of ours says all
+    QCOMPARE(message->text(), QStringLiteral("Opened panels.toile"));
 }
 
 void tst_FileCommands::aBrokenFileIsRefusedWithASentence() {

@@ -55,7 +55,7 @@ struct Fixture {
     std::atomic<int> meshed{0};
     WorkbenchParts parts() {
         WorkbenchParts result;
-        result.read = [](const std::string& file) { return io::readToile(file); };
+        result.read = io::readDocument;
         result.write = [](const std::string& file, const document::Document& d) { return io::writeToile(d, file); };
         result.mesh = [this, mesh = std::make_shared<meshing::GarmentMesh>()](
                           const pattern::Pattern& pattern) -> Result<const meshing::GarmentMesh*> {

@@ -11,7 +11,7 @@ ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
 }
 
 void ElidedLabel::show(const QString& text) {
-    setText(text);
+    setText(QString(text).replace(QLatin1Char('\n'), QLatin1Char(' ')));
     setToolTip(text);
 }
 

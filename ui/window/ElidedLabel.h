@@ -5,7 +5,7 @@
 
 namespace toile::ui {
 
-/// One line that takes what room there is: as much of its text as fits, and all of it as a tool tip.
+/// One line that takes what room there is: as much of its text as fits, and all of it, in its lines, as a tool tip.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 public:

@@ -36,13 +36,22 @@ void FileCommands::open() {
 
 bool FileCommands::openFile(const QString& path) {
     if (!mayDiscard()) return false;
-    if (auto opened = workbench_.open(path); !opened) {
-        complain(tr("The file cannot be opened"), opened.error());
+    const auto remarks = workbench_.open(path);
+    if (!remarks) {
+        complain(tr("The file cannot be opened"), remarks.error());
         return false;
     }
     remember(path);
-    workbench_.tell(tr("Opened %1").arg(QFileInfo(path).fileName()));
+    tellOpened(QFileInfo(path).fileName(), *remarks);
     return true;
+}
+
+/// Each remark on a line of its own.
+void FileCommands::tellOpened(const QString& name, const std::vector<Warning>& remarks) {
+    if (remarks.empty()) return workbench_.tell(tr("Opened %1").arg(name));
+    QStringList lines{tr("Opened %1. Remarks (%2):").arg(name).arg(remarks.size())};
+    for (const Warning& remark : remarks) lines << QString::fromStdString(remark.place + ": " + remark.text);
+    workbench_.tell(lines.join(QLatin1Char('\n')), true); // to stay until it is read
 }
 
 bool FileCommands::save() {

@@ -43,6 +43,7 @@ public:
 
 private:
     bool saveTo(const QString& path);
+    void tellOpened(const QString& name, const std::vector<Warning>& remarks);
     void remember(const QString& path);
     void complain(const QString& title, const Error& error);
 

@@ -15,12 +15,12 @@ namespace toile::ui {
 namespace {
 
 /// The document of a file; pieces of foreign patterns, which often lie on each other, are laid out.
-Result<document::Document> readAny(const std::string& file) {
+Result<io::Imported> readAny(const std::string& file) {
     auto imported = io::readDocument(file);
-    if (!imported) return tl::unexpected(imported.error());
-    document::Document document = std::move(imported->document);
-    if (piecesCoverEachOther(document.pattern)) document.pattern = laidOut(document.pattern);
-    return document;
+    if (!imported) return imported;
+    pattern::Pattern& pattern = imported->document.pattern;
+    if (piecesCoverEachOther(pattern)) pattern = laidOut(pattern);
+    return imported;
 }
 
 /// Meshes what changed since the pattern before.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/History.h"
+#include "core/io/DocumentFile.h"
 #include "ui/tools/Tool.h"
 #include "ui/workbench/Journal.h"
 #include "ui/workbench/MeshPreview.h"
@@ -17,7 +18,7 @@ namespace toile::ui {
 
 /// What the workbench gets from outside: files, meshes, a simulation.
 struct WorkbenchParts {
-    std::function<Result<document::Document>(const std::string& file)> read;
+    std::function<Result<io::Imported>(const std::string& file)> read;
     std::function<Result<void>(const std::string& file, const document::Document&)> write;
     std::function<Result<body::Body>(const std::string& file)> readBody;
     std::function<Result<simulation::Checkpoint>(const std::string& file)> readCheckpoint;
@@ -61,7 +62,8 @@ public:
     [[nodiscard]] const QString& path() const { return path_; }
     [[nodiscard]] bool isModified() const { return history_.isModified(); }
     void startNew(); ///< an empty pattern with one fabric
-    [[nodiscard]] Result<void> open(const QString& path);
+    /// What the file did not say, or not as it is now, is given back.
+    [[nodiscard]] Result<std::vector<Warning>> open(const QString& path);
     /// Begins with a value: a sample, an import, a recovered document. A modified one has never been saved as it is.
     void startFrom(document::Document document, const QString& path, bool modified);
     /// A document from a place that is not to be written: a sample. It has no path of its own.
@@ -109,7 +111,7 @@ Q_SIGNALS:
     void messageChanged(const QString& message, bool isProblem);
 
 private:
-    [[nodiscard]] Result<document::Document> readAs(const QString& path, const QString& file) const;
+    [[nodiscard]] Result<io::Imported> readAs(const QString& path, const QString& file) const;
     void documentMoved();
     void loadBody();
     void takeBody(std::uint64_t reading, Result<body::Body> body);

@@ -18,19 +18,19 @@ void Workbench::startNew() {
     startFrom(std::move(empty), {}, false);
 }
 
-Result<void> Workbench::open(const QString& path) {
+Result<std::vector<Warning>> Workbench::open(const QString& path) {
     const QString file = QFileInfo(path).absoluteFilePath();
     auto read = readAs(file, file);
     if (!read) return tl::unexpected(read.error());
     const bool ours = path.endsWith(QLatin1String(".toile"), Qt::CaseInsensitive);
-    startFrom(std::move(*read), ours ? file : QString(), !ours);
-    return {};
+    startFrom(std::move(read->document), ours ? file : QString(), !ours);
+    return std::move(read->warnings);
 }
 
 /// A document that belongs at `path`; its avatar is named from everywhere.
-Result<document::Document> Workbench::readAs(const QString& path, const QString& file) const {
+Result<io::Imported> Workbench::readAs(const QString& path, const QString& file) const {
     auto read = parts_.read(file.toStdString());
-    if (read) read->avatarFile = avatarPath(read->avatarFile, path).toStdString();
+    if (read) read->document.avatarFile = avatarPath(read->document.avatarFile, path).toStdString();
     return read;
 }
 
@@ -57,14 +57,14 @@ Result<void> Workbench::openCopy(const QString& path) {
     const QString file = QFileInfo(path).absoluteFilePath();
     auto read = readAs(file, file);
     if (!read) return tl::unexpected(read.error());
-    startFrom(std::move(*read), {}, false);
+    startFrom(std::move(read->document), {}, false);
     return {};
 }
 
 Result<void> Workbench::recover(const Journal::Leftover& leftover) {
     auto read = readAs(leftover.path, leftover.file);
     if (!read) return tl::unexpected(read.error());
-    startFrom(std::move(*read), leftover.path, true);
+    startFrom(std::move(read->document), leftover.path, true);
     if (!journal_) return {};
     // Under our own name, before the other one goes: until then that is the only copy.
     if (auto recorded = record(); recorded) Journal::discard(leftover);
