@@ -115,7 +115,7 @@ QWidget* PropertyEditor::widgetFor(std::size_t row) {
                 box->setSuffix(format.suffix);
                 box->setKeyboardTracking(false);
                 box->setAccelerated(true);
-                box->setFocusPolicy(Qt::StrongFocus); // the wheel scrolls the sheet, not the number under it
+                leaveTheWheel(*box);
                 connect(box, &QDoubleSpinBox::valueChanged, this, change([this](const PropertyRow& p, double value) {
                             const auto& content = std::get<NumberRow>(p.content);
                             return content.set(workbench_.document(), fromShown(content.quantity, value));
@@ -133,6 +133,7 @@ QWidget* PropertyEditor::widgetFor(std::size_t row) {
                 auto* box = new QComboBox;
                 box->addItems(choice.choices);
                 box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+                leaveTheWheel(*box);
                 connect(box, &QComboBox::activated, this, change([this](const PropertyRow& p, int index) {
                             return std::get<ChoiceRow>(p.content).set(workbench_.document(), index);
                         }));
@@ -161,6 +162,20 @@ QWidget* PropertyEditor::widgetFor(std::size_t row) {
             [&](const HeadingRow&) -> QWidget* { return nullptr; },
         },
         sheet_.rows[row].content);
+}
+
+/// The wheel scrolls the sheet, not the value under the pointer, unless its field was chosen.
+void PropertyEditor::leaveTheWheel(QWidget& field) {
+    field.setFocusPolicy(Qt::StrongFocus);
+    field.installEventFilter(this);
+}
+
+bool PropertyEditor::eventFilter(QObject* watched, QEvent* event) {
+    const auto field = std::ranges::find(widgets_, watched);
+    if (event->type() != QEvent::Wheel || field == widgets_.end() || (*field)->hasFocus())
+        return QScrollArea::eventFilter(watched, event);
+    event->ignore(); // the next to get it is the sheet
+    return true;
 }
 
 /// The sheet's values into the widgets, without a change of the document.

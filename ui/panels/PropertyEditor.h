@@ -18,11 +18,15 @@ class PropertyEditor : public QScrollArea {
 public:
     explicit PropertyEditor(Workbench& workbench, QWidget* parent = nullptr);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void refresh();
     void rebuild();
     void fillIn();
     [[nodiscard]] QWidget* widgetFor(std::size_t row);
+    void leaveTheWheel(QWidget& field);
     void apply(std::size_t row, const DocumentResult& result);
 
     Workbench& workbench_;
