@@ -37,6 +37,10 @@ private Q_SLOTS:
     void workOfAKilledProgramIsRecovered();
     void lostWorkCanBeDiscarded();
     void discardedWorkStaysRecordedWhileItStaysOpen();
+    void whatIsBeingTypedIsSaved();
+    void closingAsksAboutWhatIsBeingTyped();
+    void actionsWorkOnWhatIsBeingTyped_data();
+    void actionsWorkOnWhatIsBeingTyped();
 };
 
 namespace {
@@ -102,6 +106,17 @@ void answerReplacing(QMessageBox::ButtonRole answer) {
 QString contentOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// A field of the first piece's sheet, in which this has been typed and nothing more.
+QWidget& typed(Bench& bench, const char* name, const char* text) {
+    bench.workbench.select({bench.pattern().pieces[0]->id});
+    QApplication::setActiveWindow(&bench.window); // only there have fields the focus
+    auto* field = bench.find<QWidget>(name);
+    field->setFocus();
+    QTest::keySequence(field, QKeySequence::SelectAll);
+    QTest::keyClicks(field, QLatin1String(text));
+    return *field;
 }
 
 void answerRecovery(const QString& button) {
@@ -359,6 +374,44 @@ void tst_FileCommands::discardedWorkStaysRecordedWhileItStaysOpen() {
     Bench::whenAsked<QMessageBox>(discard);
     QVERIFY(bench.window.files().openFile(written(folder, "panels.json", twoPanels)));
     QCOMPARE(records(), 0);
+}
+
+void tst_FileCommands::whatIsBeingTypedIsSaved() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("typed.toile"));
+    Bench bench;
+    bench.workbench.startFrom(twoRectangles(), file, false);
+    QWidget& field = typed(bench, "seamAllowance", "25");
+    QTest::keyClick(&field, Qt::Key_S, Qt::ControlModifier);
+    const auto saved = io::readToile(file.toStdString());
+    QVERIFY(saved);
+    QCOMPARE(saved->pattern.pieces[0]->seamAllowance, 0.025);
+    QVERIFY(!bench.window.isWindowModified());
+    QVERIFY(field.hasFocus()); // typing goes on
+}
+
+void tst_FileCommands::closingAsksAboutWhatIsBeingTyped() {
+    Bench bench;
+    bench.workbench.startFrom(twoRectangles(), {}, false);
+    typed(bench, "name", "Sleeve");
+    Bench::whenAsked<QMessageBox>([](QMessageBox& box) { box.button(QMessageBox::Cancel)->click(); });
+    QVERIFY(!bench.window.close());
+    QVERIFY(bench.pattern().pieces[0]->name == "Sleeve");
+}
+
+void tst_FileCommands::actionsWorkOnWhatIsBeingTyped_data() {
+    QTest::addColumn<QString>("action");
+    for (const char* id : {"simulation.play", "simulation.step", "simulation.reset", "edit.layOut"})
+        QTest::newRow(id) << id;
+}
+
+void tst_FileCommands::actionsWorkOnWhatIsBeingTyped() {
+    QFETCH(QString, action);
+    Bench bench;
+    bench.workbench.startFrom(twoRectangles(), {}, false);
+    typed(bench, "spacing", "25");
+    bench.action(action.toLatin1())->trigger();
+    QCOMPARE(bench.pattern().pieces[0]->spacing, 0.025);
 }
 
 int main(int argc, char** argv) {

@@ -2,6 +2,7 @@
 #include "ui/window/Actions.h"
 
 #include "core/base/Contracts.h"
+#include "ui/window/TakeTyped.h"
 
 #include <QIcon>
 #include <QRegularExpression>
@@ -40,7 +41,11 @@ void Actions::add(QWidget& window, const std::vector<ActionSpec>& table) {
         if (!spec.shortText.isEmpty()) action->setIconText(spec.shortText);
         if (!spec.icon.isEmpty()) action->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(spec.icon)));
         action->setCheckable(spec.checkable);
-        if (spec.slot) QObject::connect(action, &QAction::triggered, &window, [slot = spec.slot] { slot(); });
+        if (spec.slot)
+            QObject::connect(action, &QAction::triggered, &window, [&window, slot = spec.slot] {
+                takeTyped(window);
+                slot();
+            });
         window.addAction(action);
         byId_.insert(spec.id, action);
         inOrder_.push_back(action);

@@ -29,7 +29,7 @@ struct ActionSpec {
 /// The actions of a window by their ids. A user's own shortcuts are kept in the settings, group "shortcuts".
 class Actions {
 public:
-    /// Makes the actions as children of the window.
+    /// Makes the actions as children of the window. Each begins with what is being typed there.
     void add(QWidget& window, const std::vector<ActionSpec>& table);
 
     [[nodiscard]] QAction* operator[](const QString& id) const;

@@ -2,6 +2,7 @@
 #include "ui/window/FileCommands.h"
 
 #include "ui/window/SaveDialog.h"
+#include "ui/window/TakeTyped.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -128,6 +129,7 @@ void FileCommands::openSample(const QString& path) {
 }
 
 bool FileCommands::mayDiscard() {
+    takeTyped(window_);
     if (!workbench_.isModified()) return true;
     QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"), tr("The pattern has changes that are not saved."),
                     QMessageBox::NoButton, &window_);
