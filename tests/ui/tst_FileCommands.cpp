@@ -41,6 +41,7 @@ private Q_SLOTS:
     void closingAsksAboutWhatIsBeingTyped();
     void actionsWorkOnWhatIsBeingTyped_data();
     void actionsWorkOnWhatIsBeingTyped();
+    void aWindowMayEndWhileSomethingIsBeingTyped();
 };
 
 namespace {
@@ -412,6 +413,12 @@ void tst_FileCommands::actionsWorkOnWhatIsBeingTyped() {
     typed(bench, "spacing", "25");
     bench.action(action.toLatin1())->trigger();
     QCOMPARE(bench.pattern().pieces[0]->spacing, 0.025);
+}
+
+void tst_FileCommands::aWindowMayEndWhileSomethingIsBeingTyped() {
+    Bench bench;
+    bench.workbench.startFrom(twoRectangles(), {}, false);
+    typed(bench, "name", "Sleeve"); // the field loses the focus when half of the window has gone
 }
 
 int main(int argc, char** argv) {

@@ -49,6 +49,10 @@ MainWindow::MainWindow(Workbench& workbench, WindowParts parts, QWidget* parent)
     resize(1500, 920);
 }
 
+MainWindow::~MainWindow() {
+    disconnect(&workbench_, nullptr, this, nullptr); // a field that loses the focus below still changes the document
+}
+
 void MainWindow::makeViews() {
     view3D_ = new View3D;
     view3D_->setObjectName(QStringLiteral("view3D"));

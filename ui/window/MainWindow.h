@@ -38,6 +38,7 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
     MainWindow(Workbench& workbench, WindowParts parts, QWidget* parent = nullptr);
+    ~MainWindow() override;
 
     [[nodiscard]] PatternView& patternView() { return *pattern_; }
     [[nodiscard]] View3D& view3D() { return *view3D_; }
