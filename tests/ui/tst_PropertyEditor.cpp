@@ -2,6 +2,9 @@
 #include "UiFixtures.h"
 #include "WindowFixture.h"
 
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QWheelEvent>
@@ -15,6 +18,7 @@ class tst_PropertyEditor : public QObject {
 private Q_SLOTS:
     void initTestCase() { prepareApplication(); }
     void theWheelScrollsTheSheetAndChangesNoValueUnderIt();
+    void aMeshThatArrivesLeavesWhatIsBeingTyped();
 };
 
 namespace {
@@ -49,6 +53,13 @@ void turnWheel(QWidget& under) {
     qApp->notify(&under, &event);
 }
 
+/// Instead of what stands there, without leaving the field.
+void type(QWidget& field, const QString& text) {
+    field.setFocus();
+    QTest::keySequence(&field, QKeySequence::SelectAll);
+    QTest::keyClicks(&field, text);
+}
+
 } // namespace
 
 void tst_PropertyEditor::theWheelScrollsTheSheetAndChangesNoValueUnderIt() {
@@ -64,6 +75,18 @@ void tst_PropertyEditor::theWheelScrollsTheSheetAndChangesNoValueUnderIt() {
     chosen.setFocus();
     turnWheel(chosen);
     QCOMPARE(sheet.piece().spacing, 0.019);
+}
+
+void tst_PropertyEditor::aMeshThatArrivesLeavesWhatIsBeingTyped() {
+    Sheet sheet;
+    type(sheet.field<QWidget>("seamAllowance"), "25"); // the first mesh is still on its way
+    QTRY_VERIFY(!sheet.bench.workbench.mesh().empty());
+    QTRY_VERIFY(sheet.field<QLabel>("meshNodes").text().toInt() > 0); // it is shown all the same
+    QVERIFY(sheet.field<QDoubleSpinBox>("seamAllowance").text().contains(QStringLiteral("25")));
+    type(sheet.field<QWidget>("name"), "Sleeve");
+    Q_EMIT sheet.bench.workbench.meshChanged();
+    QCOMPARE(sheet.field<QLineEdit>("name").text(), QStringLiteral("Sleeve"));
+    QCOMPARE(sheet.piece().seamAllowance, 0.025);
 }
 
 QTEST_MAIN(tst_PropertyEditor)

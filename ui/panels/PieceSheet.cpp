@@ -140,17 +140,19 @@ void addInterfacingRows(PropertySheet& sheet, const Piece& piece) {
            5);
 }
 
+/// The rows are there before the mesh is: the sheet keeps its shape when it comes.
 void addMeshFacts(PropertySheet& sheet, const Document& document, const Piece& piece, const meshing::MeshReport& mesh) {
     const auto& pieces = document.pattern.pieces;
     const auto at = std::ranges::find_if(pieces, [&](const auto& p) { return p->id == piece.id; }) - pieces.begin();
-    if (static_cast<std::size_t>(at) >= mesh.pieces.size()) return;
-    const meshing::PieceReport& report = mesh.pieces[at];
+    const bool isMeshed = static_cast<std::size_t>(at) < mesh.pieces.size();
+    const meshing::PieceReport report = isMeshed ? mesh.pieces[at] : meshing::PieceReport{};
+    const auto fact = [&](const char* name, const QString& label, const QString& text) {
+        sheet.rows.push_back({QLatin1String(name), label, FactRow{isMeshed ? text : QStringLiteral("–")}});
+    };
     sheet.rows.push_back({QStringLiteral("meshHeading"), tr("Mesh"), HeadingRow{}});
-    sheet.rows.push_back({QStringLiteral("meshNodes"), tr("Nodes"), FactRow{QString::number(report.nodes)}});
-    sheet.rows.push_back({QStringLiteral("meshQuads"), tr("Quads, triangles"),
-                          FactRow{tr("%1, %2").arg(report.quads).arg(report.triangles)}});
-    sheet.rows.push_back(
-        {QStringLiteral("meshAngle"), tr("Smallest angle"), FactRow{textOf(Quantity::angle, report.minimumAngle)}});
+    fact("meshNodes", tr("Nodes"), QString::number(report.nodes));
+    fact("meshQuads", tr("Quads, triangles"), tr("%1, %2").arg(report.quads).arg(report.triangles));
+    fact("meshAngle", tr("Smallest angle"), textOf(Quantity::angle, report.minimumAngle));
 }
 
 } // namespace

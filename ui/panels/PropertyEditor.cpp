@@ -48,18 +48,18 @@ PropertyEditor::PropertyEditor(Workbench& workbench, QWidget* parent) : QScrollA
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    connect(&workbench, &Workbench::documentChanged, this, &PropertyEditor::refresh);
-    connect(&workbench, &Workbench::selectionChanged, this, &PropertyEditor::refresh);
-    connect(&workbench, &Workbench::meshChanged, this, &PropertyEditor::refresh);
+    connect(&workbench, &Workbench::documentChanged, this, [this] { refresh(); });
+    connect(&workbench, &Workbench::selectionChanged, this, [this] { refresh(); });
+    connect(&workbench, &Workbench::meshChanged, this, [this] { refresh(Rows::facts); });
     sheet_ = sheetOf(workbench.desk(), workbench.meshReport());
     rebuild();
 }
 
-void PropertyEditor::refresh() {
+void PropertyEditor::refresh(Rows rows) {
     PropertySheet next = sheetOf(workbench_.desk(), workbench_.meshReport());
     const bool same = sameShape(sheet_, next);
     sheet_ = std::move(next);
-    if (same) fillIn();
+    if (same) fillIn(rows);
     else rebuild();
 }
 
@@ -93,7 +93,7 @@ void PropertyEditor::rebuild() {
         old->deleteLater();
     }
     setWidget(page);
-    fillIn();
+    fillIn(Rows::all);
 }
 
 QWidget* PropertyEditor::widgetFor(std::size_t row) {
@@ -179,9 +179,10 @@ bool PropertyEditor::eventFilter(QObject* watched, QEvent* event) {
 }
 
 /// The sheet's values into the widgets, without a change of the document.
-void PropertyEditor::fillIn() {
+void PropertyEditor::fillIn(Rows rows) {
     filling_ = true;
     for (std::size_t row = 0; row < widgets_.size(); ++row) {
+        if (rows == Rows::facts && !std::holds_alternative<FactRow>(sheet_.rows[row].content)) continue;
         QWidget* widget = widgets_[row];
         std::visit(Overloaded{
                        [&](const NumberRow& number) {

@@ -22,9 +22,12 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void refresh();
+    /// A mesh changes facts only, and comes while something may be being typed into a field.
+    enum class Rows { all, facts };
+
+    void refresh(Rows rows = Rows::all);
     void rebuild();
-    void fillIn();
+    void fillIn(Rows rows);
     [[nodiscard]] QWidget* widgetFor(std::size_t row);
     void leaveTheWheel(QWidget& field);
     void apply(std::size_t row, const DocumentResult& result);
