@@ -71,14 +71,14 @@ struct Bench {
         return {qRound(seen.x), qRound(seen.y)};
     }
     /// Pulls the gizmo's arrow along an axis of the world (0 = x) by whole centimetres [m].
-    void pullArrow(int axis, double by) {
+    void pullArrow(int axis, double by, const std::function<void()>& beforeTheEnd = {}) {
         const PlacementGizmo gizmo = *window.view3D().gizmo();
         Vec3 along;
         along[axis] = 1;
         const Vec3 from = gizmo.pivot() + along * (60 * pixelSize(gizmo)); // past the middle of the arrow
         std::vector<QPoint> way;
         for (int i = 0; i <= 8; ++i) way.push_back(pixelOf(from + along * (by * i / 8)));
-        drag(window.view3D(), way, Qt::ControlModifier);
+        drag(window.view3D(), way, Qt::ControlModifier, beforeTheEnd);
     }
     /// Turns the gizmo's upright ring by multiples of 5° [rad]; seen from above.
     void turnRing(double by) {

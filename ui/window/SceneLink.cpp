@@ -116,9 +116,12 @@ void SceneLink::showSelection() {
 }
 
 void SceneLink::dragPlacement(const std::string& pieceId, const Transform& placement, bool finished) {
-    const Piece* piece = findPiece(workbench_.document().pattern, PieceId(pieceId));
-    if (!piece || !piece->placement) return;
     dragging_ = !finished;
+    const Piece* piece = findPiece(workbench_.document().pattern, PieceId(pieceId));
+    if (!piece || !piece->placement) { // undone meanwhile
+        showFrame();
+        return showSelection();
+    }
     if (workbench_.frame())
         view_.setFrame(withPieceMoved(*workbench_.frame(), pieceId, piece->placement->transform, placement));
     if (!finished || placement == piece->placement->transform) return;
