@@ -52,7 +52,10 @@ struct Bench {
         QApplication::setActiveWindow(&window); // without a window manager nobody else does, and only it gets shortcuts
         QTest::keyClick(&window, key, modifiers);
     }
-    void toolKey(Qt::Key key) { QTest::keyClick(&window.patternView(), key); }
+    void toolKey(Qt::Key key) {
+        QApplication::setActiveWindow(&window); // Delete is a shortcut
+        QTest::keyClick(&window.patternView(), key);
+    }
     void point(Vec2 at) { QTest::mouseMove(&window.patternView(), pixel(at)); }
     void click(Vec2 at, Qt::KeyboardModifiers modifiers = {}) {
         point(at);

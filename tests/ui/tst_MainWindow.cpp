@@ -6,6 +6,8 @@
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -33,6 +35,8 @@ private Q_SLOTS:
     void theMouseInSpaceFollowsTheUsersHabits();
     void detailsDrawnByHandAreMeshedAndSewn();
     void fabricsAreAddedDuplicatedAndDeleted();
+    void deleteTakesOutWhatIsSelectedWhereverTheFocusIs();
+    void theHintFollowsWhatDeleteTakesBack();
 };
 
 void tst_MainWindow::propertiesChangeTheDocument() {
@@ -220,6 +224,41 @@ void tst_MainWindow::fabricsAreAddedDuplicatedAndDeleted() {
     QCOMPARE(fabrics().size(), std::size_t(3));
     bench.workbench.undo();
     QCOMPARE(fabrics().size(), std::size_t(4));
+}
+
+void tst_MainWindow::deleteTakesOutWhatIsSelectedWhereverTheFocusIs() {
+    Bench bench;
+    bench.workbench.startFrom(twoRectangles(), {}, false);
+    QApplication::setActiveWindow(&bench.window);
+    for (QWidget* place : std::initializer_list<QWidget*>{bench.find<QTreeWidget>("objectList"), &bench.window.view3D(),
+                                                          &bench.window.patternView()}) {
+        bench.workbench.select({bench.pattern().pieces[1]->id});
+        place->setFocus();
+        QTest::keyClick(place, Qt::Key_Delete);
+        QVERIFY2(bench.pattern().pieces.size() == 1, qPrintable(place->objectName()));
+        bench.workbench.undo();
+    }
+    bench.workbench.select({bench.pattern().pieces[0]->id});
+    for (const char* name : {"name", "spacing"}) { // what is written there can be deleted as anywhere
+        auto* field = bench.find<QWidget>(name);
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_Home);
+        QTest::keyClick(field, Qt::Key_Delete);
+        QVERIFY2(bench.pattern().pieces.size() == 2, name);
+    }
+    QCOMPARE(bench.find<QLineEdit>("name")->text(), QStringLiteral("ront"));
+}
+
+void tst_MainWindow::theHintFollowsWhatDeleteTakesBack() {
+    Bench bench;
+    bench.workbench.startFrom(twoRectangles(), {}, false);
+    bench.look({0.15, 0}, 1000);
+    bench.window.useTool(QStringLiteral("tool.sewSegments"));
+    const QString hint = bench.find<QLabel>("toolHint")->text();
+    bench.click({0.1, -0.1});
+    QVERIFY(bench.find<QLabel>("toolHint")->text() != hint);
+    bench.action("edit.delete")->trigger();
+    QCOMPARE(bench.find<QLabel>("toolHint")->text(), hint);
 }
 
 QTEST_MAIN(tst_MainWindow)

@@ -27,13 +27,13 @@ Button buttonOf(Qt::MouseButtons buttons) {
     return Button::none;
 }
 
+/// Delete is an action of the window: it works wherever the focus is.
 std::optional<ToolKey> toolKeyOf(int key) {
     switch (key) {
     case Qt::Key_Return:
     case Qt::Key_Enter: return ToolKey::enter;
     case Qt::Key_Escape: return ToolKey::escape;
     case Qt::Key_Backspace: return ToolKey::backspace;
-    case Qt::Key_Delete: return ToolKey::erase;
     default: return std::nullopt;
     }
 }
@@ -56,6 +56,10 @@ void PatternView::setTool(Tool* tool) {
     tool_ = tool;
     update();
     Q_EMIT toolMoved();
+}
+
+void PatternView::press(ToolKey key) {
+    if (tool_) take(tool_->key(workbench_.desk(), key));
 }
 
 void PatternView::setView(const ViewTransform& view) {
@@ -166,8 +170,8 @@ void PatternView::wheelEvent(QWheelEvent* event) {
 
 void PatternView::keyPressEvent(QKeyEvent* event) {
     const auto key = toolKeyOf(event->key());
-    if (!key || !tool_) return QWidget::keyPressEvent(event);
-    take(tool_->key(workbench_.desk(), *key));
+    if (!key) return QWidget::keyPressEvent(event);
+    press(*key);
 }
 
 Selection PatternView::itemsUnder(const PointerEvent& event) const {

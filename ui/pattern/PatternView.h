@@ -19,6 +19,7 @@ public:
     /// The tool is borrowed and may be changed at any time; the one before is cancelled.
     void setTool(Tool* tool);
     [[nodiscard]] Tool* tool() const { return tool_; }
+    void press(ToolKey key); ///< the tool gets it
 
     [[nodiscard]] const ViewTransform& view() const { return view_; }
     void setView(const ViewTransform& view);
