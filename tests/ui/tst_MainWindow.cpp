@@ -37,6 +37,7 @@ private Q_SLOTS:
     void fabricsAreAddedDuplicatedAndDeleted();
     void deleteTakesOutWhatIsSelectedWhereverTheFocusIs();
     void theHintFollowsWhatDeleteTakesBack();
+    void whatIsHalfDrawnEndsWithItsDocument();
 };
 
 void tst_MainWindow::propertiesChangeTheDocument() {
@@ -258,6 +259,18 @@ void tst_MainWindow::theHintFollowsWhatDeleteTakesBack() {
     bench.click({0.1, -0.1});
     QVERIFY(bench.find<QLabel>("toolHint")->text() != hint);
     bench.action("edit.delete")->trigger();
+    QCOMPARE(bench.find<QLabel>("toolHint")->text(), hint);
+}
+
+void tst_MainWindow::whatIsHalfDrawnEndsWithItsDocument() {
+    Bench bench;
+    bench.window.useTool(QStringLiteral("tool.drawPiece"));
+    const QString hint = bench.find<QLabel>("toolHint")->text();
+    for (const Vec2 at : {Vec2{0.4, 0.2}, {0.6, 0.2}, {0.6, 0.4}}) bench.click(at);
+    const Tool& tool = *bench.window.patternView().tool();
+    QVERIFY(!tool.overlay(bench.workbench.desk()).lines.empty());
+    bench.workbench.startFrom(twoRectangles(), {}, false);
+    QVERIFY(tool.overlay(bench.workbench.desk()).lines.empty());
     QCOMPARE(bench.find<QLabel>("toolHint")->text(), hint);
 }
 

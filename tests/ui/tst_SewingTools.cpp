@@ -39,6 +39,7 @@ private Q_SLOTS:
     void altTakesAway();
     void controlWheelChangesTheBrush();
     void paintingBesidePiecesIsRefused();
+    void aCancelledToolHasNoSeamJustMade();
 };
 
 namespace {
@@ -350,6 +351,21 @@ void tst_SewingTools::paintingBesidePiecesIsRefused() {
     Hand hand{twoRectangles()};
     hand.press(tool, {1, 1});
     QVERIFY(hand.refused);
+}
+
+void tst_SewingTools::aCancelledToolHasNoSeamJustMade() {
+    SewSegments tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.1, -0.1});
+    hand.click(tool, {0.2, -0.1});
+    hand.key(tool, ToolKey::escape); // drops picks, of which there are none
+    hand.press(tool, {0.2, 0.05});
+    QVERIFY(!hand.refused);
+    tool.cancel();
+    Hand another{hand.document}; // its seam has the same id
+    another.press(tool, {0.2, 0.05});
+    QVERIFY(another.refused);
+    QVERIFY(another.document == hand.document);
 }
 
 QTEST_APPLESS_MAIN(tst_SewingTools)

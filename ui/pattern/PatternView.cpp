@@ -49,6 +49,7 @@ PatternView::PatternView(Workbench& workbench, QWidget* parent) : QWidget(parent
     connect(&workbench, &Workbench::documentChanged, this, repaint);
     connect(&workbench, &Workbench::selectionChanged, this, repaint);
     connect(&workbench, &Workbench::meshChanged, this, repaint);
+    connect(&workbench, &Workbench::documentReplaced, this, [this] { setTool(tool_); });
 }
 
 void PatternView::setTool(Tool* tool) {

@@ -16,7 +16,8 @@ class PatternView : public QWidget {
 public:
     explicit PatternView(Workbench& workbench, QWidget* parent = nullptr);
 
-    /// The tool is borrowed and may be changed at any time; the one before is cancelled.
+    /// The tool is borrowed and may be changed at any time; the one before is cancelled. So is one whose document is
+    /// replaced by another.
     void setTool(Tool* tool);
     [[nodiscard]] Tool* tool() const { return tool_; }
     void press(ToolKey key); ///< the tool gets it

@@ -58,7 +58,7 @@ Effect SewSegments::endSide(const Desk& desk) {
     Effect effect = sewn(desk, withSeam(desk, picks_[0], picks_[1]));
     if (effect.edit) {
         made_ = effect.edit->after.pattern.seams.back().id;
-        cancel();
+        dropPicks();
     } else {
         picks_[1].pop_back();
     }
@@ -78,7 +78,7 @@ Effect SewSegments::move(const Desk& desk, const PointerEvent& event) {
 Effect SewSegments::key(const Desk& desk, ToolKey key) {
     switch (key) {
     case ToolKey::enter: return endSide(desk);
-    case ToolKey::escape: cancel(); return {};
+    case ToolKey::escape: dropPicks(); return {};
     case ToolKey::erase:
         if (picks_[0].empty()) return deleteSelection(desk);
         [[fallthrough]];
@@ -93,6 +93,11 @@ void SewSegments::takeBack() {
 }
 
 void SewSegments::cancel() {
+    dropPicks();
+    made_ = {};
+}
+
+void SewSegments::dropPicks() {
     for (auto& side : picks_) side.clear();
     side_ = 0;
     under_.reset();

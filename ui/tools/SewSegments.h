@@ -23,6 +23,7 @@ private:
     [[nodiscard]] bool isPicked(const EdgeRef& edge) const;
     Effect endSide(const Desk& desk);
     void takeBack();
+    void dropPicks();
 
     std::array<std::vector<EdgeHit>, 2> picks_; ///< of the two sides, in order
     std::size_t side_ = 0;                      ///< that is being picked
