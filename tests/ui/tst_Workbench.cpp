@@ -105,6 +105,8 @@ private Q_SLOTS:
     void selectionForgetsWhatIsDeleted();
     void everyNumberOfASheetSetsWhatItShows();
     void theSheetOfAPieceProposesItsSpacing();
+    void aMeshThatComesOutTakesItsComplaintBack();
+    void aGarmentThatGoesOnTakesItsComplaintBack();
 };
 
 void tst_Workbench::anEditMakesANewScene() {
@@ -533,6 +535,53 @@ void tst_Workbench::theSheetOfAPieceProposesItsSpacing() {
     const auto after = std::get<ActionRow>(row->content).act(document);
     QVERIFY(after);
     QCOMPARE(after->pattern.pieces[0]->spacing, material::proposedSpacing(*cloth));
+}
+
+void tst_Workbench::aMeshThatComesOutTakesItsComplaintBack() {
+    Fixture fixture;
+    WorkbenchParts parts = fixture.parts();
+    parts.mesh = [mesh = parts.mesh](const pattern::Pattern& pattern) -> Result<const meshing::GarmentMesh*> {
+        if (pattern.pieces.size() == 2) return fail(ErrorCode::invalidInput, "The outline crosses itself.");
+        return mesh(pattern);
+    };
+    Workbench bench(std::move(parts));
+    QSignalSpy told(&bench, &Workbench::messageChanged);
+    bench.apply({QStringLiteral("Draw"), twoRectangles()});
+    QTRY_VERIFY(!told.isEmpty() && told.back()[0].toString().contains(QStringLiteral("crosses itself")));
+    bench.undo();
+    QTRY_COMPARE(told.back()[0].toString(), QString());
+
+    bench.redo();
+    QTRY_VERIFY(told.back()[1].toBool());
+    bench.tell(QStringLiteral("Saved")); // what others say stays
+    QSignalSpy meshed(&bench, &Workbench::meshChanged);
+    bench.undo();
+    QTRY_VERIFY(!meshed.isEmpty());
+    QCOMPARE(told.back()[0].toString(), QStringLiteral("Saved"));
+}
+
+void tst_Workbench::aGarmentThatGoesOnTakesItsComplaintBack() {
+    Fixture fixture;
+    Workbench bench(fixture.parts());
+    bench.apply({QStringLiteral("Draw"), twoRectangles()});
+    QSignalSpy told(&bench, &Workbench::messageChanged);
+    const auto arrive = [&](const char* message) {
+        fixture.log.frame = frameOf(bench.generation());
+        fixture.log.frame->message = message;
+        bench.pollFrame();
+    };
+    arrive("a seam is too long");
+    QCOMPARE(told.size(), 1);
+    arrive("");
+    QCOMPARE(told.size(), 2);
+    QCOMPARE(told.back()[0].toString(), QString());
+    arrive("");
+    QCOMPARE(told.size(), 2);
+
+    fixture.log.playing = true; // what does not stop it is to be read while it plays on
+    arrive("the avatar cannot move so");
+    arrive("");
+    QCOMPARE(told.size(), 3);
 }
 
 QTEST_GUILESS_MAIN(tst_Workbench)

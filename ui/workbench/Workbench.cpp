@@ -33,12 +33,14 @@ Workbench::Workbench(WorkbenchParts parts, QObject* parent)
         if (result.generation != patternGeneration_) return; // a newer pattern is being meshed
         meshed_ = result;
         Q_EMIT meshChanged();
+        takeBack(Complaint::ofMesh);
     });
     connect(&preview_, &MeshPreview::failed, this, [this](quint64 generation, const QString& why) {
         if (generation != patternGeneration_) return;
         meshed_ = {generation, {}, {}};
         Q_EMIT meshChanged();
         tell(why, true);
+        complaint_ = Complaint::ofMesh;
     });
     frames_.setInterval(framePeriod);
     connect(&frames_, &QTimer::timeout, this, &Workbench::pollFrame);
@@ -101,7 +103,13 @@ void Workbench::removeAvatar() {
 }
 
 void Workbench::tell(const QString& message, bool isProblem) {
+    complaint_ = Complaint::none;
     Q_EMIT messageChanged(message, isProblem);
+}
+
+/// What was wrong is right again; what was told since stays.
+void Workbench::takeBack(Complaint complaint) {
+    if (complaint_ == complaint) tell({});
 }
 
 /// The document is another one: everything that follows from it is made anew.

@@ -111,12 +111,17 @@ Q_SIGNALS:
     void messageChanged(const QString& message, bool isProblem);
 
 private:
+    /// Who has a problem with the pattern as it is, if that was told last.
+    enum class Complaint { none, ofMesh, ofSimulation };
+
     [[nodiscard]] Result<io::Imported> readAs(const QString& path, const QString& file) const;
     void documentMoved();
     void loadBody();
     void takeBody(std::uint64_t reading, Result<body::Body> body);
     void takeCheckpoint();
     void tellOfFinish(const simulation::Frame& frame);
+    void tellOfProblem(const QString& why);
+    void takeBack(Complaint complaint);
     void follow();   ///< what was ordered
     void handOver(); ///< document → mesh preview and simulation
     void recordSoon();
@@ -144,6 +149,7 @@ private:
     std::optional<pattern::Pattern> meshedPattern_; ///< handed to the mesh preview
     std::optional<simulation::Scene> scene_;        ///< handed to the simulation
     bool wasPlaying_ = false;
+    Complaint complaint_ = Complaint::none; ///< that the message told last is
     std::optional<Journal> journal_;
     QTimer frames_, recovery_;
     std::jthread bodyThread_; ///< reads a body; the next one waits for it

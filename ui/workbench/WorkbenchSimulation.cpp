@@ -48,6 +48,12 @@ void Workbench::tellOfFinish(const simulation::Frame& frame) {
         tell(tr("At rest, but statics found no equilibrium; what came nearest is shown, %1 away at most.").arg(move));
 }
 
+/// What stops the simulation is told until it goes on; what does not, as long as any other problem.
+void Workbench::tellOfProblem(const QString& why) {
+    tell(why, true);
+    if (!isPlaying()) complaint_ = Complaint::ofSimulation;
+}
+
 void Workbench::hold(std::vector<simulation::Grip> grips) {
     if (parts_.simulation) parts_.simulation->hold(std::move(grips));
     follow();
@@ -98,7 +104,8 @@ void Workbench::pollFrame() {
     if (!parts_.simulation->isBusy()) frames_.stop(); // asked before the frame is taken: the last one is not missed
     takeCheckpoint();
     if (auto frame = parts_.simulation->takeFrame(); frame && frame->generation == generation_ && scene_) {
-        if (!frame->message.empty()) tell(QString::fromStdString(frame->message), true);
+        if (frame->message.empty()) takeBack(Complaint::ofSimulation);
+        else tellOfProblem(QString::fromStdString(frame->message));
         tellOfFinish(*frame);
         const bool wasBuilt = frame->message.empty(); // else the garment as it was stays in view
         if (!frame->positions.empty()) frame_ = std::move(*frame);
