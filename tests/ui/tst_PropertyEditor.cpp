@@ -2,6 +2,8 @@
 #include "UiFixtures.h"
 #include "WindowFixture.h"
 
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -19,6 +21,7 @@ private Q_SLOTS:
     void initTestCase() { prepareApplication(); }
     void theWheelScrollsTheSheetAndChangesNoValueUnderIt();
     void aMeshThatArrivesLeavesWhatIsBeingTyped();
+    void spacePressesTheFieldThatHasTheFocus();
 };
 
 namespace {
@@ -43,6 +46,10 @@ struct Sheet {
         return *find<Widget>(name);
     }
     const pattern::Piece& piece() { return *bench.pattern().pieces[0]; }
+    void press(QWidget& widget, Qt::Key key) {
+        widget.setFocus();
+        QTest::keyClick(&widget, key);
+    }
 };
 
 /// One notch towards the user, as from the mouse: what the program makes itself, Qt does not hand on to parents.
@@ -87,6 +94,21 @@ void tst_PropertyEditor::aMeshThatArrivesLeavesWhatIsBeingTyped() {
     Q_EMIT sheet.bench.workbench.meshChanged();
     QCOMPARE(sheet.field<QLineEdit>("name").text(), QStringLiteral("Sleeve"));
     QCOMPARE(sheet.piece().seamAllowance, 0.025);
+}
+
+void tst_PropertyEditor::spacePressesTheFieldThatHasTheFocus() {
+    Sheet sheet;
+    sheet.press(sheet.field<QWidget>("curled"), Qt::Key_Space);
+    QVERIFY(sheet.piece().placement && sheet.piece().placement->curl);
+    sheet.press(sheet.field<QWidget>("duplicate"), Qt::Key_Space);
+    QCOMPARE(sheet.bench.pattern().pieces.size(), std::size_t(3));
+    auto& rule = sheet.field<QComboBox>("rule");
+    sheet.press(rule, Qt::Key_Space);
+    QVERIFY(rule.view()->isVisible());
+    rule.hidePopup();
+    QVERIFY(!sheet.bench.workbench.isPlaying());
+    sheet.press(sheet.bench.window.patternView(), Qt::Key_Space); // elsewhere it simulates
+    QVERIFY(sheet.bench.workbench.isPlaying());
 }
 
 QTEST_MAIN(tst_PropertyEditor)

@@ -6,11 +6,14 @@
 #include "ui/panels/PropertyEditor.h"
 #include "ui/window/HandLink.h"
 
+#include <QAbstractButton>
 #include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QMessageBox>
 #include <QSettings>
 #include <QSplitter>
@@ -32,6 +35,15 @@ QWidget* below(QWidget* bar, QWidget* view) {
     return side;
 }
 
+/// Before shortcuts are looked for: Space, where it presses or opens what has the focus.
+bool isPressOfAField(const QEvent& event) {
+    if (event.type() != QEvent::ShortcutOverride) return false;
+    const auto& key = static_cast<const QKeyEvent&>(event);
+    QWidget* field = QApplication::focusWidget();
+    return key.key() == Qt::Key_Space && key.modifiers() == Qt::NoModifier &&
+           (qobject_cast<QAbstractButton*>(field) || qobject_cast<QComboBox*>(field));
+}
+
 } // namespace
 
 MainWindow::MainWindow(Workbench& workbench, WindowParts parts, QWidget* parent)
@@ -46,6 +58,8 @@ MainWindow::MainWindow(Workbench& workbench, WindowParts parts, QWidget* parent)
     makeAccuracyDock();
     connectWorkbench();
     useTool(QStringLiteral("tool.transform"));
+    for (QWidget* window : std::initializer_list<QWidget*>{this, accuracy_}) // torn off, it is a window as well
+        window->installEventFilter(this);
     resize(1500, 920);
 }
 
@@ -196,6 +210,12 @@ void MainWindow::about() {
     box.setInformativeText(parts_.aboutText +
                            (device.isEmpty() ? QString() : QStringLiteral("\n") + tr("Graphics: %1").arg(device)));
     box.exec();
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    if (!isPressOfAField(*event)) return QMainWindow::eventFilter(watched, event);
+    event->accept(); // no shortcut, but a key for the field
+    return true;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
