@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QKeySequenceEdit>
 #include <QLabel>
@@ -14,6 +15,7 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <QSettings>
+#include <QSplitter>
 #include <QTreeWidget>
 
 using namespace toile;
@@ -38,6 +40,8 @@ private Q_SLOTS:
     void deleteTakesOutWhatIsSelectedWhereverTheFocusIs();
     void theHintFollowsWhatDeleteTakesBack();
     void whatIsHalfDrawnEndsWithItsDocument();
+    void theNextWindowHasTheSizesOfTheLastOne();
+    void theNextWindowShowsWhatTheLastOneDid();
 };
 
 void tst_MainWindow::propertiesChangeTheDocument() {
@@ -272,6 +276,44 @@ void tst_MainWindow::whatIsHalfDrawnEndsWithItsDocument() {
     bench.workbench.startFrom(twoRectangles(), {}, false);
     QVERIFY(tool.overlay(bench.workbench.desk()).lines.empty());
     QCOMPARE(bench.find<QLabel>("toolHint")->text(), hint);
+}
+
+void tst_MainWindow::theNextWindowHasTheSizesOfTheLastOne() {
+    int height = 0;
+    QList<int> heights;
+    {
+        Bench bench;
+        bench.window.resize(860, 700); // the screen of the tests is 800 pixels high
+        auto* panels = bench.find<QSplitter>("panels");
+        panels->setSizes({200, 400});
+        QVERIFY(bench.window.close());
+        height = bench.window.height();
+        heights = panels->sizes();
+    }
+    Workbench workbench(realParts({}));
+    MainWindow next(workbench, {writeDrapeOf, {}, {}});
+    next.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&next));
+    QCOMPARE(next.height(), height);
+    QCOMPARE(next.findChild<QSplitter*>(QStringLiteral("panels"))->sizes(), heights);
+    QSettings().clear(); // the windows of other tests begin anew
+}
+
+void tst_MainWindow::theNextWindowShowsWhatTheLastOneDid() {
+    {
+        Bench bench;
+        bench.action("look.grid")->trigger();
+        bench.action("look3d.seams")->trigger();
+        bench.action("simulation.accuracy")->trigger();
+        QVERIFY(bench.window.close());
+    }
+    Bench next;
+    QVERIFY(!next.window.patternView().look().grid && !next.action("look.grid")->isChecked());
+    QVERIFY(!next.window.view3D().scene().options.seams && !next.action("look3d.seams")->isChecked());
+    QVERIFY(next.window.patternView().look().seams);
+    QVERIFY(next.find<QDockWidget>("accuracyDock")->isVisible());
+    QVERIFY(next.action("simulation.accuracy")->isChecked());
+    QSettings().clear();
 }
 
 QTEST_MAIN(tst_MainWindow)

@@ -60,7 +60,7 @@ MainWindow::MainWindow(Workbench& workbench, WindowParts parts, QWidget* parent)
     useTool(QStringLiteral("tool.transform"));
     for (QWidget* window : std::initializer_list<QWidget*>{this, accuracy_}) // torn off, it is a window as well
         window->installEventFilter(this);
-    resize(1500, 920);
+    restoreLook();
 }
 
 MainWindow::~MainWindow() {
@@ -77,6 +77,7 @@ void MainWindow::makeViews() {
     QWidget* patternSide = below(options_, pattern_);
 
     auto* panels = new QSplitter(Qt::Vertical);
+    panels->setObjectName(QStringLiteral("panels"));
     panels->addWidget(new ObjectList(workbench_));
     panels->addWidget(new PropertyEditor(workbench_));
     panels->setStretchFactor(0, 2);
@@ -220,6 +221,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (!files_->mayDiscard()) return event->ignore();
+    keepLook();
     if (Journal* journal = workbench_.journal()) journal->clear();
     event->accept();
 }

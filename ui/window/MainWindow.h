@@ -59,6 +59,8 @@ private:
     void makeViews();
     void makeAccuracyDock();
     void connectWorkbench();
+    void keepLook() const; ///< in the settings, for the next window
+    void restoreLook();
     void showTitle();
     void showHistory();
     void showTool();
