@@ -3,6 +3,7 @@
 #include "WindowFixture.h"
 
 #include <QAbstractItemView>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -22,6 +23,7 @@ private Q_SLOTS:
     void theWheelScrollsTheSheetAndChangesNoValueUnderIt();
     void aMeshThatArrivesLeavesWhatIsBeingTyped();
     void spacePressesTheFieldThatHasTheFocus();
+    void theSheetStaysWhereItWasScrolledTo();
 };
 
 namespace {
@@ -109,6 +111,23 @@ void tst_PropertyEditor::spacePressesTheFieldThatHasTheFocus() {
     QVERIFY(!sheet.bench.workbench.isPlaying());
     sheet.press(sheet.bench.window.patternView(), Qt::Key_Space); // elsewhere it simulates
     QVERIFY(sheet.bench.workbench.isPlaying());
+}
+
+void tst_PropertyEditor::theSheetStaysWhereItWasScrolledTo() {
+    Sheet sheet;
+    auto& curled = sheet.field<QCheckBox>("curled");
+    sheet.editor().ensureWidgetVisible(&curled);
+    const int before = sheet.scrollBar().value();
+    QVERIFY(before > 0);
+    curled.setFocus();
+    curled.click(); // the sheet has a row more
+    QVERIFY(sheet.find<QWidget>("curlRadius"));
+    QVERIFY(sheet.field<QWidget>("curled").hasFocus());
+    QCOMPARE(sheet.scrollBar().value(), before);
+    QCoreApplication::sendPostedEvents();
+    QCOMPARE(sheet.scrollBar().value(), before);
+    sheet.bench.workbench.select({SceneItem{}}); // of another thing it begins anew
+    QCOMPARE(sheet.scrollBar().value(), 0);
 }
 
 QTEST_MAIN(tst_PropertyEditor)

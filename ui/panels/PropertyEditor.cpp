@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 
 #include <algorithm>
 #include <cmath>
@@ -57,10 +58,20 @@ PropertyEditor::PropertyEditor(Workbench& workbench, QWidget* parent) : QScrollA
 
 void PropertyEditor::refresh(Rows rows) {
     PropertySheet next = sheetOf(workbench_.desk(), workbench_.meshReport());
-    const bool same = sameShape(sheet_, next);
+    const bool same = sameShape(sheet_, next), ofTheSameKind = sheet_.title == next.title;
     sheet_ = std::move(next);
-    if (same) fillIn(rows);
-    else rebuild();
+    if (same) return fillIn(rows);
+    const int scrolledTo = ofTheSameKind ? verticalScrollBar()->value() : 0;
+    const QString focused = ofTheSameKind ? focusedRow() : QString();
+    rebuild();
+    if (auto* field = focused.isEmpty() ? nullptr : widget()->findChild<QWidget*>(focused)) field->setFocus();
+    verticalScrollBar()->setValue(scrolledTo);
+}
+
+/// The name of the row that has the focus; empty = none.
+QString PropertyEditor::focusedRow() const {
+    const auto focused = std::ranges::find_if(widgets_, &QWidget::hasFocus);
+    return focused == widgets_.end() ? QString() : (*focused)->objectName();
 }
 
 void PropertyEditor::rebuild() {

@@ -12,7 +12,7 @@ class QLabel;
 namespace toile::ui {
 
 /// Shows the sheet of what is selected. Each change is one step of the document; widgets hold nothing themselves and
-/// are made anew when the sheet's shape changes.
+/// are made anew when the sheet's shape changes; a sheet of the same kind stays scrolled, with the focus where it was.
 class PropertyEditor : public QScrollArea {
     Q_OBJECT
 public:
@@ -28,6 +28,7 @@ private:
     void refresh(Rows rows = Rows::all);
     void rebuild();
     void fillIn(Rows rows);
+    [[nodiscard]] QString focusedRow() const;
     [[nodiscard]] QWidget* widgetFor(std::size_t row);
     void leaveTheWheel(QWidget& field);
     void apply(std::size_t row, const DocumentResult& result);
