@@ -21,18 +21,18 @@ struct IdSource {
 
 private:
     template <class IdType>
-    static std::string letterOf() {
-        if constexpr (std::is_same_v<IdType, PieceId>) return "p";
-        else if constexpr (std::is_same_v<IdType, VertexId>) return "v";
-        else if constexpr (std::is_same_v<IdType, EdgeId>) return "e";
-        else if constexpr (std::is_same_v<IdType, RegionId>) return "r";
-        else if constexpr (std::is_same_v<IdType, SeamId>) return "s";
-        else if constexpr (std::is_same_v<IdType, FabricId>) return "f";
-        else if constexpr (std::is_same_v<IdType, TackId>) return "t";
-        else if constexpr (std::is_same_v<IdType, FoldId>) return "l";
+    static constexpr char letterOf() {
+        if constexpr (std::is_same_v<IdType, PieceId>) return 'p';
+        else if constexpr (std::is_same_v<IdType, VertexId>) return 'v';
+        else if constexpr (std::is_same_v<IdType, EdgeId>) return 'e';
+        else if constexpr (std::is_same_v<IdType, RegionId>) return 'r';
+        else if constexpr (std::is_same_v<IdType, SeamId>) return 's';
+        else if constexpr (std::is_same_v<IdType, FabricId>) return 'f';
+        else if constexpr (std::is_same_v<IdType, TackId>) return 't';
+        else if constexpr (std::is_same_v<IdType, FoldId>) return 'l';
         else {
             static_assert(std::is_same_v<IdType, PinId>);
-            return "n";
+            return 'n';
         }
     }
 };
