@@ -9,7 +9,7 @@
 namespace toile::batch {
 
 int avatar(const AvatarOptions& options) {
-    if (const auto out = checkedOutput(options.out, {".glb"}); !out) {
+    if (const auto out = checkedOutputs({{options.out, {".glb"}}}, {}); !out) {
         printError(out.error());
         return inputWrong;
     }

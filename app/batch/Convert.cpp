@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
+#include "app/batch/Outputs.h"
 #include "core/io/DocumentFile.h"
 #include "core/io/ToileFile.h"
 
@@ -9,8 +10,8 @@
 namespace toile::batch {
 
 int convert(const ConvertOptions& options) {
-    if (std::filesystem::path(options.out).extension() != ".toile") {
-        printError({ErrorCode::unsupported, "Only .toile documents can be written.", {.file = options.out}});
+    if (const auto out = checkedOutputs({{options.out, {".toile"}}}, {options.in}); !out) {
+        printError(out.error());
         return inputWrong;
     }
     const auto opened = io::readDocument(options.in);

@@ -87,8 +87,8 @@ void printSummary(const meshing::MeshReport& report) {
 }
 
 Result<void> run(const MeshOptions& options) {
-    if (auto out = checkedOutput(options.out, {".obj", ".svg", ".png"}); !out) return out;
-    if (auto out = checkedOutput(options.report, {}); !out) return out;
+    const std::vector<Output> outputs{{options.out, {".obj", ".svg", ".png"}}, {options.report}};
+    if (auto sound = checkedOutputs(outputs, {options.file}); !sound) return sound;
     auto opened = io::readDocument(options.file);
     if (!opened) return tl::unexpected(opened.error());
     Result<pattern::Pattern> pattern = opened->document.pattern;

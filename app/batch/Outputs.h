@@ -3,13 +3,24 @@
 
 #include "core/base/Result.h"
 
-#include <initializer_list>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace toile::batch {
 
-/// Whether a result can be written there, asked before the work begins: the folder must exist, and the name must end in
-/// one of these (any, if none is given). An empty name is no output.
-[[nodiscard]] Result<void> checkedOutput(const std::string& file, std::initializer_list<std::string> extensions);
+/// A file, or a folder of files, that a run writes; an empty name is none.
+struct Output {
+    std::string file;
+    std::vector<std::string> extensions = {}; ///< lower case, with the dot, one of which it must have; empty = any
+};
+
+/// Whether the results of a run can be written, asked before the work begins: their folders exist, their names end as
+/// they may, none takes the place of a file that the run reads (of a folder: of a file in it) or of another result.
+/// Empty names of inputs are none.
+[[nodiscard]] Result<void> checkedOutputs(const std::vector<Output>& outputs, const std::vector<std::string>& inputs);
+
+/// Whether two names are of one file, which need not exist: by another way, or through a link.
+[[nodiscard]] bool areSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
 } // namespace toile::batch

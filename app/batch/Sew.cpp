@@ -26,16 +26,23 @@ namespace {
 
 constexpr std::string_view staticMethod = "static"; ///< no motion after sewing, only the equilibrium
 
+/// All that the run reads, but for the poses: their folder.
+std::vector<std::string> inputsOf(const SewOptions& options, const document::Document& document) {
+    std::vector<std::string> inputs{options.file, options.avatar, options.motion};
+    if (!document.avatarFile.empty()) inputs.push_back(io::fileNamedBy(options.file, document.avatarFile).string());
+    const bool goesOnInPlace = !options.checkpoint.empty() && areSameFile(options.resume, options.checkpoint);
+    if (!goesOnInPlace) inputs.push_back(options.resume);
+    return inputs;
+}
+
 /// What can be said before any work is done.
-Result<void> checked(const SewOptions& options) {
+Result<void> checked(const SewOptions& options, const document::Document& document) {
     if (options.method == staticMethod && options.seconds)
         return fail(ErrorCode::invalidInput, "The method \"static\" knows no time: leave out --seconds.");
-    if (auto out = checkedOutput(options.out, {".glb", ".obj", ".ply", ".stl"}); !out) return out;
-    for (const std::string& picture : options.pictures)
-        if (auto out = checkedOutput(picture, {".png"}); !out) return out;
-    if (auto frames = checkedOutput(options.frames, {}); !frames) return frames;
-    if (auto checkpoint = checkedOutput(options.checkpoint, {}); !checkpoint) return checkpoint;
-    return checkedOutput(options.report, {});
+    std::vector<Output> outputs{
+        {options.out, {".glb", ".obj", ".ply", ".stl"}}, {options.report}, {options.checkpoint}, {options.frames}};
+    for (const std::string& picture : options.pictures) outputs.push_back({picture, {".png"}});
+    return checkedOutputs(outputs, inputsOf(options, document));
 }
 
 void applyOptions(OpenedScene& opened, const SewOptions& options) {
@@ -198,9 +205,9 @@ int sew(const SewOptions& options, std::stop_token stop) {
         printError(error);
         return static_cast<int>(inputWrong);
     };
-    if (const auto sound = checked(options); !sound) return refuse(sound.error());
     auto document = io::readDocument(options.file);
     if (!document) return refuse(document.error());
+    if (const auto sound = checked(options, document->document); !sound) return refuse(sound.error());
     auto opened = openScene(document->document, options.file, options.avatar);
     if (!opened) return refuse(opened.error());
     applyOptions(*opened, options);

@@ -57,6 +57,7 @@ private slots:
     void regionBordersMayStayWhereTheyArePainted();
     void anotherFormatIsRefused();
     void aMissingFolderIsSaidAndNothingIsWritten();
+    void noResultTakesThePlaceOfTheDocumentOrOfAnother();
     void wrongUsage_data();
     void wrongUsage();
 
@@ -253,6 +254,16 @@ void tst_MeshCommand::aMissingFolderIsSaidAndNothingIsWritten() {
     QCOMPARE(finished.errorLines().size(), 1);
     QVERIFY(finished.err.contains("There is no folder"));
     QVERIFY(!QFile::exists(out) && !QFile::exists(lost)); // not half of the results
+}
+
+void tst_MeshCommand::noResultTakesThePlaceOfTheDocumentOrOfAnother() {
+    QVERIFY(QFile::copy(sample("two-squares.toile"), in("mine.toile")));
+    QCOMPARE(run({"mesh", in("mine.toile"), "--report", in("mine.toile")}).status, 1);
+    QCOMPARE(contentOf(in("mine.toile")), contentOf(sample("two-squares.toile")));
+    const Finished twice = run({"mesh", in("mine.toile"), "--out", in("same.obj"), "--report", in("same.obj")});
+    QCOMPARE(twice.status, 1);
+    QVERIFY2(twice.err.contains("Two results"), qPrintable(twice.err));
+    QVERIFY(!QFile::exists(in("same.obj")));
 }
 
 void tst_MeshCommand::wrongUsage_data() {

@@ -23,6 +23,7 @@ private slots:
     void inspectRefusesWhatItCannotRead();
     void aConvertedDocumentIsTheSame();
     void convertWritesOnlyDocuments();
+    void convertWritesOverNothingItReads();
 
 private:
     [[nodiscard]] QString in(const char* name) const { return folder_.filePath(name); }
@@ -127,6 +128,13 @@ void tst_Program::convertWritesOnlyDocuments() {
     const Finished finished = run({"convert", sample("two-squares.toile"), in("copy.dxf")});
     QCOMPARE(finished.status, 1);
     QVERIFY(!QFile::exists(in("copy.dxf")));
+}
+
+void tst_Program::convertWritesOverNothingItReads() {
+    QVERIFY(QFile::copy(sample("two-squares.toile"), in("mine.toile")));
+    const Finished finished = run({"convert", in("mine.toile"), in("mine.toile")});
+    QCOMPARE(finished.status, 1);
+    QVERIFY2(finished.err.contains("name another file"), qPrintable(finished.err));
 }
 
 QTEST_GUILESS_MAIN(tst_Program)

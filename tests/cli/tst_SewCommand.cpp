@@ -57,6 +57,9 @@ private slots:
     void staticsKnowsNoTime();
     void theReportSaysHowManyThreadsThereWere();
     void aMissingFolderIsSaidAndNothingIsWritten();
+    void noResultTakesThePlaceOfAnInputOrOfAnother_data();
+    void noResultTakesThePlaceOfAnInputOrOfAnother();
+    void aCheckpointMayTakeThePlaceOfTheOneItGoesOnFrom();
     void aBrokenDocumentIsRefused();
     void anInterruptLeavesNothingBehind();
     void aStoppedRunGoesOnFromItsCheckpoint();
@@ -389,6 +392,52 @@ void tst_SewCommand::aMissingFolderIsSaidAndNothingIsWritten() {
     QCOMPARE(finished.errorLines().size(), 1);
     QVERIFY(finished.err.contains("There is no folder"));
     QVERIFY(QDir(folder_->path()).isEmpty());
+}
+
+void tst_SewCommand::noResultTakesThePlaceOfAnInputOrOfAnother_data() {
+    QTest::addColumn<QStringList>("options");
+    QTest::newRow("a report over the document") << QStringList{"--report", "squares.toile"};
+    QTest::newRow("a report over the document, by another way") << QStringList{"--report", "poses/../squares.toile"};
+    QTest::newRow("a report over the document, by a link") << QStringList{"--report", "link.toile"};
+    QTest::newRow("a checkpoint over the document") << QStringList{"--checkpoint", "squares.toile"};
+    QTest::newRow("a drape over the document's avatar") << QStringList{"--out", "body.glb"};
+    QTest::newRow("a drape over another avatar") << QStringList{"--avatar", "poses/a.glb", "--out", "poses/a.glb"};
+    QTest::newRow("a drape over a pose") << QStringList{"--motion", "poses", "--out", "poses/a.glb"};
+    QTest::newRow("frames among the poses") << QStringList{"--motion", "poses", "--frames", "poses"};
+    QTest::newRow("a report over what it goes on from") << QStringList{"--resume", "point", "--report", "point"};
+    QTest::newRow("a drape and its report") << QStringList{"--out", "same.obj", "--report", "./same.obj"};
+    QTest::newRow("a checkpoint and a report") << QStringList{"--checkpoint", "same", "--report", "same"};
+    QTest::newRow("two pictures") << QStringList{"--picture", "same.png,same.png"};
+}
+
+void tst_SewCommand::noResultTakesThePlaceOfAnInputOrOfAnother() {
+    QFETCH(QStringList, options);
+    const QString document = squaresWith(box(0.05, 0.05));
+    QVERIFY(QDir().mkpath(in("poses")));
+    QVERIFY(QFile::copy(in("body.glb"), in("poses/a.glb")));
+    QVERIFY(QFile::link(document, in("link.toile")));
+    QVERIFY(QFile::copy(document, in("point")));
+    const QString workingFolder = QDir::currentPath();
+    QVERIFY(QDir::setCurrent(folder_->path()));
+    const QByteArray before = contentOf(document), body = contentOf(in("body.glb"));
+    const Finished finished = run(QStringList{"sew", document, "--seconds", "0.02"} + options);
+    QVERIFY(QDir::setCurrent(workingFolder));
+    QCOMPARE(finished.status, 1);
+    QCOMPARE(finished.errorLines().size(), 1); // no progress: nothing was done
+    QVERIFY2(finished.err.contains("name another file"), qPrintable(finished.err));
+    QCOMPARE(contentOf(document), before);
+    QCOMPARE(contentOf(in("body.glb")), body);
+    QCOMPARE(contentOf(in("poses/a.glb")), body);
+    QCOMPARE(contentOf(in("point")), before);
+    QVERIFY(!QFile::exists(in("same")) && !QFile::exists(in("same.obj")) && !QFile::exists(in("same.png")));
+}
+
+void tst_SewCommand::aCheckpointMayTakeThePlaceOfTheOneItGoesOnFrom() {
+    const QStringList sew{"sew", sample("two-squares.toile"), "--seconds", "0.1", "--checkpoint", in("point")};
+    QCOMPARE(run(sew).status, 3); // not sewn yet
+    const QByteArray first = contentOf(in("point"));
+    QCOMPARE(run(sew + QStringList{"--resume", in("point")}).status, 3);
+    QVERIFY(!first.isEmpty() && contentOf(in("point")) != first);
 }
 
 void tst_SewCommand::aBrokenDocumentIsRefused() {
