@@ -4,6 +4,9 @@
 #include "app/cli/Options.h"
 
 #include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
 #include <thread>
 
 namespace {
@@ -24,9 +27,7 @@ std::stop_source stopOnInterrupt() {
     return source;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
     CLI::App app("Toile without a window: check, mesh, sew and convert garment patterns.", "toile-cli");
     app.require_subcommand(1);
     app.set_version_flag("--version", toile::batch::versionText("toile-cli"));
@@ -39,4 +40,18 @@ int main(int argc, char** argv) {
         return app.exit(problem) == 0 ? toile::batch::done : toile::batch::usageWrong;
     }
     return chosen();
+}
+
+} // namespace
+
+/// What is thrown ends here, not in an abort, so that half-written files are taken away on the way.
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        std::fputs("There is not enough memory for this: choose a larger spacing, or allow more.\n", stderr);
+    } catch (const std::exception& problem) {
+        std::fprintf(stderr, "The work cannot go on, by a mistake of the program: %s.\n", problem.what());
+    }
+    return toile::batch::inputWrong;
 }

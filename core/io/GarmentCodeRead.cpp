@@ -23,6 +23,9 @@ using geometry::Curve;
 
 constexpr std::uint64_t largestGarmentCode = 64 << 20; // [bytes]
 
+constexpr double fewestPerMetre = 1e-3, mostPerMetre = 1e6; // kilometres, micrometres
+constexpr double largestNumber = 1e12; ///< of a point, in units: shapes of such points have finite lengths
+
 /// What all panels of a file share.
 struct Units {
     double perMetre = 100;
@@ -36,23 +39,38 @@ struct Panel {
     std::vector<std::string> labels;
 };
 
+double coordinateOf(const JsonNode& node) {
+    const double value = node.number();
+    if (std::abs(value) <= largestNumber) return value;
+    node.refuse(fmt::format("Expected a coordinate of at most {:g} units, but found {:g}.", largestNumber, value));
+    return 0;
+}
+
 Vec2 pairOf(const JsonNode& node) {
     const auto xy = node.items(2);
-    return xy.empty() ? Vec2{} : Vec2{xy[0].number(), xy[1].number()};
+    return xy.empty() ? Vec2{} : Vec2{coordinateOf(xy[0]), coordinateOf(xy[1])};
 }
 
 Vec3 tripleOf(const JsonNode& node) {
     const auto xyz = node.items(3);
-    return xyz.empty() ? Vec3{} : Vec3{xyz[0].number(), xyz[1].number(), xyz[2].number()};
+    return xyz.empty() ? Vec3{} : Vec3{coordinateOf(xyz[0]), coordinateOf(xyz[1]), coordinateOf(xyz[2])};
+}
+
+double unitsInMetre(const JsonNode& node) {
+    constexpr double centimetres = 100;
+    const double perMetre = node.number(centimetres);
+    if (perMetre >= fewestPerMetre && perMetre <= mostPerMetre) return perMetre;
+    node.refuse(fmt::format("Expected a positive number of units in a metre, from {:g} to {:g}, but found {:g}.",
+                            fewestPerMetre, mostPerMetre, perMetre));
+    return centimetres; // reading goes on
 }
 
 Units unitsOf(JsonNode root, std::vector<Warning>& warnings) {
     JsonNode properties = root["properties"];
     Units units;
     const JsonNode perMetre = properties["units_in_meter"];
-    units.perMetre = perMetre.number(100);
+    units.perMetre = unitsInMetre(perMetre);
     if (!perMetre.exists()) warnings.push_back({"units", "the file does not say its unit: centimetres are assumed."});
-    if (!(units.perMetre > 0)) perMetre.refuse("Expected a positive number of units in a metre.");
     static constexpr std::array names{"relative", "absolute"};
     units.relative = properties["curvature_coords"].choice(names, 0) == 0;
     return units;
@@ -75,7 +93,8 @@ EdgeShape arcOf(const JsonNode& params, const Curve& edge, const Units& units) {
     const auto values = params.items(3);
     if (values.empty()) return geometry::LineShape{};
     const auto flag = [](const JsonNode& node) { return node.json()->asBool() ? node.truth() : node.number() != 0; };
-    const double radius = values[0].number() / units.perMetre, half = 0.5 * geometry::distance(edge.start, edge.end);
+    const double radius = coordinateOf(values[0]) / units.perMetre,
+                 half = 0.5 * geometry::distance(edge.start, edge.end);
     if (!(radius >= 0.99 * half))
         values[0].refuse("The radius is too small: the arc does not reach from one end of the edge to the other.");
     const double minor = 2 * std::asin(std::min(1.0, half / radius));

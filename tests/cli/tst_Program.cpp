@@ -15,6 +15,7 @@ private slots:
     void explainsItself();
     void wrongUsage_data();
     void wrongUsage();
+    void tooLittleMemoryIsSaid();
     void anAvatarIsWrittenAndReadBack();
     void anImpossibleBodyIsRefused();
     void anAvatarIntoAMissingFolderIsRefused();
@@ -69,6 +70,18 @@ void tst_Program::wrongUsage() {
     const Finished finished = run(arguments);
     QCOMPARE(finished.status, 2);
     QVERIFY(!finished.err.isEmpty());
+}
+
+void tst_Program::tooLittleMemoryIsSaid() {
+    QProcess shell; // one thread, as those of OpenBLAS take memory by the number of cores
+    shell.start("sh", {"-c", "ulimit -v 800000; OPENBLAS_NUM_THREADS=1 exec \"$0\" \"$@\"", program(), "mesh",
+                       sample("blouse.toile"), "--spacing", "0.3", "--out", in("mesh.obj")});
+    QVERIFY(shell.waitForFinished(60000));
+    QCOMPARE(shell.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(shell.exitCode(), 1);
+    const QByteArray said = shell.readAllStandardError();
+    QVERIFY2(said.contains("not enough memory"), said.constData());
+    QVERIFY(!QFile::exists(in("mesh.obj")));
 }
 
 void tst_Program::anAvatarIsWrittenAndReadBack() {

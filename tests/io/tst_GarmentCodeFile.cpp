@@ -24,6 +24,8 @@ private slots:
     void unequalEdgesAreSewnWithEase();
     void aMistakeNamesItsPlace_data();
     void aMistakeNamesItsPlace();
+    void extremeNumbersAreRefused_data();
+    void extremeNumbersAreRefused();
     void realFilesAreRead_data();
     void realFilesAreRead();
 };
@@ -167,6 +169,49 @@ void tst_GarmentCodeFile::aMistakeNamesItsPlace() {
     QVERIFY(!imported);
     QCOMPARE(QString::fromStdString(imported.error().place.path), path);
     QVERIFY(imported.error().place.line > 0);
+}
+
+void tst_GarmentCodeFile::extremeNumbersAreRefused_data() {
+    QTest::addColumn<QString>("units");
+    QTest::addColumn<QString>("corner");
+    QTest::addColumn<QString>("curvature");
+    QTest::addColumn<QString>("path");
+    const QString curve = R"({"type":"quadratic","params":[[0.5, 0.2]]})",
+                  arc = R"({"type":"circle","params":[12,0,0]})";
+    const QString units = "properties.units_in_meter", edge = "pattern.panels.front.edges[0].curvature.params[0]";
+    QTest::newRow("no unit, and a curve") << "0"
+                                          << "20" << curve << units;
+    QTest::newRow("no unit, and an arc") << "0"
+                                         << "20" << arc << units;
+    QTest::newRow("a negative unit") << "-100"
+                                     << "20" << curve << units;
+    QTest::newRow("a unit longer than the earth's orbit") << "1e-300"
+                                                          << "20" << curve << units;
+    QTest::newRow("a unit smaller than an atom") << "1e300"
+                                                 << "20" << curve << units;
+    QTest::newRow("a corner beyond the sky") << "100"
+                                             << "1e308" << curve << "pattern.panels.front.vertices[1][0]";
+    QTest::newRow("a control point there") << "100"
+                                           << "20"
+                                           << R"({"type":"quadratic","params":[[0.5, -1e308]]})" << edge + "[1]";
+    QTest::newRow("a radius as large") << "100"
+                                       << "20"
+                                       << R"({"type":"circle","params":[1e308,1,0]})" << edge;
+}
+
+void tst_GarmentCodeFile::extremeNumbersAreRefused() {
+    QFETCH(QString, units);
+    QFETCH(QString, corner);
+    QFETCH(QString, curvature);
+    QFETCH(QString, path);
+    QString text = twoPanels();
+    text.replace("\"units_in_meter\": 100", "\"units_in_meter\": " + units);
+    text.replace("\"vertices\": [[0,0],[20,0]", "\"vertices\": [[0,0],[" + corner + ",0]");
+    const QString first = "{\"endpoints\":[0,1]}";
+    text.replace(text.indexOf(first), first.size(), "{\"endpoints\":[0,1], \"curvature\": " + curvature + "}");
+    const auto imported = garmentCodeFromText(text.toStdString(), "a.json");
+    QVERIFY(!imported);
+    QCOMPARE(imported.error().place.path, path.toStdString());
 }
 
 void tst_GarmentCodeFile::realFilesAreRead_data() {
