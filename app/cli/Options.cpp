@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/Options.h"
 
+#include "app/cli/NumberFrom.h"
 #include "app/cli/StudyOptions.h"
 
 #include <map>
@@ -29,7 +30,7 @@ CLI::Option* addSpacing(CLI::App& command, std::optional<double>& spacing) {
         .add_option_function<double>(
             "--spacing", [&spacing](const double& value) { spacing = value * millimetre; },
             "main spacing of every piece [mm]")
-        ->check(CLI::Range(0.1, 1000.0));
+        ->check(numberFrom(0.1, 1000.0));
 }
 
 void addRule(CLI::App& command, std::optional<pattern::LineRule>& chosen) {
@@ -79,7 +80,7 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     addRule(*command, options->rule);
     auto* seconds = command->add_option_function<double>(
         "--seconds", [options](const double& value) { options->seconds = value; }, "simulate just so long [s]");
-    seconds->check(CLI::Range(0.0, 3600.0));
+    seconds->check(numberFrom(0.0, 3600.0));
     command->add_flag("--until-rest")
         ->description("simulate until the cloth is at rest (the default)")
         ->excludes(seconds);
@@ -89,11 +90,11 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     auto* selfContact =
         command->add_flag("--self-contact", options->selfContact, "keep the cloth's layers apart, asked for or not");
     command->add_option("--limit", options->limit, "give up waiting for rest after so many simulated seconds [s]")
-        ->check(CLI::Range(0.1, 3600.0));
+        ->check(numberFrom(0.1, 3600.0));
     command
         ->add_option("--hold", options->hold,
                      "a garment without a neck goes on for so long after rest, to see whether it slides [s]")
-        ->check(CLI::Range(0.0, 3600.0))
+        ->check(numberFrom(0.0, 3600.0))
         ->capture_default_str();
     auto* method = command->add_option("--method", options->method,
                                        "how time is integrated once the seams are closed; sewing itself is by xpbd");
@@ -117,7 +118,7 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     command
         ->add_option_function<double>(
             "--step", [options](const double& value) { options->step = value; }, "frame step [s]")
-        ->check(CLI::Range(1e-4, 0.1));
+        ->check(numberFrom(1e-4, 0.1));
     command
         ->add_option_function<std::string>(
             "--substeps",
@@ -138,11 +139,11 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
                          "--lift-arms",
                          [options](const double& degrees) { options->liftArms = degrees * std::numbers::pi / 180; },
                          "when the garment is worn, lift the avatar's arms sideways by so much [degrees]")
-                     ->check(CLI::Range(-180.0, 180.0))
+                     ->check(numberFrom(-180.0, 180.0))
                      ->excludes(checkpoint); // it knows the avatar as it stood
     command->add_option("--lift-time", options->liftTime, "in so many seconds")
         ->needs(lift)
-        ->check(CLI::Range(0.01, 60.0));
+        ->check(numberFrom(0.01, 60.0));
     auto* motion =
         command
             ->add_option("--motion", options->motion,
@@ -152,7 +153,7 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
             ->excludes(checkpoint);
     command->add_option("--motion-step", options->motionStep, "from pose to pose [s]")
         ->needs(motion)
-        ->check(CLI::Range(1e-4, 10.0));
+        ->check(numberFrom(1e-4, 10.0));
     command->add_option("--out", options->out, "write the drape: .glb, .obj, .ply or .stl");
     command->add_option("--frames", options->frames,
                         "keep every frame step: a point cache (.pc2), or a folder for .obj files");

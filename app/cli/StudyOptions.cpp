@@ -2,7 +2,9 @@
 #include "app/cli/StudyOptions.h"
 
 #include "app/batch/Commands.h"
+#include "app/cli/NumberFrom.h"
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -23,6 +25,7 @@ std::optional<study::FineBox> fineBoxOf(const std::string& text) {
     if (std::sscanf(numbers.c_str(), "%lf,%lf,%lf,%lf%n", &box.left, &box.bottom, &box.right, &box.top, &read) != 4 ||
         read != static_cast<int>(numbers.size()))
         return std::nullopt;
+    if (!std::isfinite(box.left + box.bottom + box.right + box.top)) return std::nullopt;
     return box;
 }
 
@@ -121,7 +124,7 @@ void declareAccuracy(CLI::App& study, std::stop_token stop, std::function<int()>
         ->add_option_function<double>(
             "--within", [options](double mm) { options->within = 1e-3 * mm; },
             "name the cheapest setting by which every length of the garment is right within so much [mm]")
-        ->check(CLI::PositiveNumber);
+        ->check(numberFrom(1e-3, 1e3));
     accuracy->add_option("--out", options->out, "folder of report.md, results.jsonl and pictures")->required();
     addFresh(*accuracy, options->fresh);
     accuracy->add_flag("--quiet", options->quiet, "no progress");

@@ -5,6 +5,7 @@
 #include "core/base/RegularFile.h"
 #include "core/io/JsonNode.h"
 
+#include <fmt/format.h>
 #include <limits>
 
 namespace toile::io {
@@ -15,11 +16,27 @@ using simulation::Checkpoint;
 constexpr int version = 1;
 constexpr std::uint64_t largestCheckpoint = std::uint64_t{1} << 30; ///< [bytes]; 100 000 particles have some 12 million
 
+constexpr double longest = 1e9; ///< [s], some 30 years: still a frame step later than itself
+
 Json vectorsOf(const std::vector<Vec3>& vectors) {
     Json::Array numbers;
     for (const Vec3& v : vectors)
         for (int axis = 0; axis < 3; ++axis) numbers.emplace_back(v[axis]);
     return numbers;
+}
+
+double numberFrom(const JsonNode& node, double low, double high = std::numeric_limits<double>::max()) {
+    const double value = node.number(low);
+    if (value >= low && value <= high) return value;
+    node.refuse(high < std::numeric_limits<double>::max()
+                    ? fmt::format("Expected a number from {:g} to {:g}, but found {:g}.", low, high, value)
+                    : fmt::format("Expected a number that is not below {:g}, but found {:g}.", low, value));
+    return low;
+}
+
+/// A time at which something began; any negative one says that it has not.
+double startFrom(const JsonNode& node) {
+    return numberFrom(node, std::numeric_limits<double>::lowest(), longest);
 }
 
 std::vector<double> numbersOf(const JsonNode& node) {
@@ -39,9 +56,9 @@ std::vector<Vec3> vectorsOf(const JsonNode& node) {
 
 Checkpoint::Seam seamOf(JsonNode& node) {
     return {.merged = node.required("merged").truth(),
-            .initialGap = node.required("initialGap").number(),
-            .gapAtMerge = node.required("gapAtMerge").number(),
-            .start = node.required("start").number(),
+            .initialGap = numberFrom(node.required("initialGap"), 0),
+            .gapAtMerge = numberFrom(node.required("gapAtMerge"), 0),
+            .start = startFrom(node.required("start")),
             .gaps = numbersOf(node.required("gaps"))};
 }
 
@@ -56,9 +73,9 @@ Json jsonOf(const Checkpoint::Seam& seam) {
 
 Checkpoint::Tack tackOf(JsonNode& node) {
     return {.closed = node.required("closed").truth(),
-            .initialGap = node.required("initialGap").number(),
-            .start = node.required("start").number(),
-            .startGap = node.required("startGap").number()};
+            .initialGap = numberFrom(node.required("initialGap"), 0),
+            .start = startFrom(node.required("start")),
+            .startGap = numberFrom(node.required("startGap"), 0)};
 }
 
 Json jsonOf(const Checkpoint::Tack& tack) {
@@ -93,13 +110,13 @@ Result<Checkpoint> readCheckpoint(const std::string& path) {
     if (root.required("version").integer(version, 1, std::numeric_limits<int>::max()) > version)
         root["version"].refuse("This program knows checkpoints up to version 1.", ErrorCode::unsupported);
     Checkpoint point{.scene = root.required("scene").text(),
-                     .time = root.required("time").number(),
+                     .time = numberFrom(root.required("time"), 0, longest),
                      .steps = root.required("steps").integer(0, 0, std::numeric_limits<int>::max()),
                      .phase = static_cast<simulation::Phase>(root.required("phase").choice(simulation::phaseNames, 0)),
                      .method = root.required("method").text(),
-                     .sewnTime = root.required("sewnTime").number(),
-                     .restingTime = root.required("restingTime").number(),
-                     .largestSpeed = root.required("largestSpeed").number(),
+                     .sewnTime = numberFrom(root.required("sewnTime"), 0, longest),
+                     .restingTime = numberFrom(root.required("restingTime"), 0, longest),
+                     .largestSpeed = numberFrom(root.required("largestSpeed"), 0),
                      .goesOnAsItLay = root.required("goesOnAsItLay").truth()};
     for (JsonNode& seam : root.required("seams").items()) point.seams.push_back(seamOf(seam));
     for (JsonNode& tack : root["tacks"].items()) point.tacks.push_back(tackOf(tack));

@@ -488,6 +488,11 @@ void tst_SewCommand::wrongUsage_data() {
     QTest::newRow("no substep") << QStringList{"--substeps", "0"};
     QTest::newRow("no thread") << QStringList{"--threads", "0"};
     QTest::newRow("a step of nothing") << QStringList{"--step", "0"};
+    for (const char* option : {"--seconds", "--limit", "--hold", "--spacing", "--step", "--lift-arms"})
+        for (const char* value : {"nan", "-nan", "inf"})
+            QTest::addRow("%s %s", option, value) << QStringList{option, value};
+    QTest::newRow("--lift-time nan") << QStringList{"--lift-arms", "20", "--lift-time", "nan"};
+    QTest::newRow("--motion-step nan") << QStringList{"--motion", "poses", "--motion-step", "nan"};
 }
 
 void tst_SewCommand::wrongUsage() {
@@ -495,6 +500,7 @@ void tst_SewCommand::wrongUsage() {
     const Finished finished = run(QStringList{"sew", sample("two-squares.toile")} + options);
     QCOMPARE(finished.status, 2);
     QVERIFY(!finished.err.isEmpty());
+    if (options.last() == "nan") QVERIFY2(finished.err.contains(options[options.size() - 2]), qPrintable(finished.err));
 }
 
 QTEST_GUILESS_MAIN(tst_SewCommand)

@@ -12,6 +12,7 @@ private slots:
     void aSceneThatIsNotThereIsSaid();
     void aGarmentIsStudiedWithASuggestion();
     void withoutAGarmentNothingIsSuggested();
+    void anErrorThatIsNoNumberIsRefused();
     void aDocumentWithoutRegionsIsSaid();
     void storageIsPrintedAndWritten();
     void aBoxThatIsNoneIsSaid();
@@ -71,6 +72,16 @@ void tst_StudyCommand::aGarmentIsStudiedWithASuggestion() {
     QCOMPARE(contentOf(out + "/accuracy.svg").isEmpty(), finished.out.contains("without pictures"));
 }
 
+void tst_StudyCommand::anErrorThatIsNoNumberIsRefused() {
+    const QTemporaryDir folder;
+    for (const char* value : {"nan", "0", "inf"}) {
+        const Finished finished =
+            run({"study", "accuracy", sample("tube.toile"), "--within", value, "--out", folder.filePath("study")});
+        QCOMPARE(finished.status, 2);
+        QVERIFY2(finished.err.contains("--within"), qPrintable(finished.err));
+    }
+}
+
 void tst_StudyCommand::withoutAGarmentNothingIsSuggested() {
     const QTemporaryDir folder;
     const Finished finished = run({"study", "accuracy", "flap", "--within", "5", "--out", folder.path()});
@@ -106,6 +117,7 @@ void tst_StudyCommand::aBoxThatIsNoneIsSaid() {
     const QString file = sample("circle-skirt.toile");
     QCOMPARE(run({"study", "storage", file, "--fine", "Skirt left", "--out", folder.path()}).status, 2);
     QCOMPARE(run({"study", "storage", file, "--fine", "Skirt left=0,0,1", "--out", folder.path()}).status, 2);
+    QCOMPARE(run({"study", "storage", file, "--fine", "Skirt left=nan,0,1,1", "--out", folder.path()}).status, 2);
     const Finished finished = run({"study", "storage", file, "--fine", "Hem=0,0,1,1", "--out", folder.path()});
     QCOMPARE(finished.status, 1);
     QVERIFY(finished.err.contains("There is no piece \"Hem\"."));

@@ -154,6 +154,16 @@ void tst_Checkpoint::aBrokenFileIsRefusedWithItsField_data() {
                                << QByteArray("positions");
     QTest::newRow("a number too many") << QByteArray("\"velocities\": [") << QByteArray("\"velocities\": [1,")
                                        << QByteArray("velocities");
+    QTest::newRow("a time that a step does not change")
+        << QByteArray("\"time\": 0,") << QByteArray("\"time\": 1e300,") << QByteArray(": time: ");
+    QTest::newRow("a time before the start")
+        << QByteArray("\"time\": 0,") << QByteArray("\"time\": -1,") << QByteArray(": time: ");
+    QTest::newRow("sewn before the start")
+        << QByteArray("\"sewnTime\": 0,") << QByteArray("\"sewnTime\": -1,") << QByteArray(": sewnTime: ");
+    QTest::newRow("a gap below nothing") << QByteArray("\"gapAtMerge\": 0,") << QByteArray("\"gapAtMerge\": -1,")
+                                         << QByteArray("seams[0].gapAtMerge: ");
+    QTest::newRow("a seam that is never to close")
+        << QByteArray("\"start\": 0,") << QByteArray("\"start\": 1e300,") << QByteArray("seams[0].start: ");
 }
 
 void tst_Checkpoint::aBrokenFileIsRefusedWithItsField() {
