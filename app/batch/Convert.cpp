@@ -14,12 +14,14 @@ int convert(const ConvertOptions& options) {
         printError(out.error());
         return inputWrong;
     }
-    const auto opened = io::readDocument(options.in);
+    auto opened = io::readDocument(options.in);
     if (!opened) {
         printError(opened.error());
         return inputWrong;
     }
     for (const Warning& warning : opened->warnings) fmt::print(stderr, "{}: {}\n", warning.place, warning.text);
+    std::string& avatar = opened->document.avatarFile; // the same body, named from the new place
+    if (!avatar.empty()) avatar = io::nameFrom(options.out, io::fileNamedBy(options.in, avatar));
     if (const auto written = io::writeToile(opened->document, options.out); !written) {
         printError(written.error());
         return inputWrong;

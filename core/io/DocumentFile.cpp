@@ -56,6 +56,15 @@ std::filesystem::path fileNamedBy(const std::filesystem::path& documentPath, con
     return documentPath.parent_path() / name;
 }
 
+std::string nameFrom(const std::filesystem::path& documentPath, const std::filesystem::path& file) {
+    // ".." leads out of the folder that a link leads to; the file itself may be a link whose name is to stay.
+    const auto folderOf = [](const std::filesystem::path& path) {
+        std::error_code unknown;
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path).parent_path(), unknown);
+    };
+    return (folderOf(file) / file.filename()).lexically_proximate(folderOf(documentPath)).generic_string();
+}
+
 bool Checked::hasErrors() const {
     return pattern::hasErrors(problems);
 }

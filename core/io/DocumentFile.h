@@ -16,6 +16,9 @@ namespace toile::io {
 /// The path of a file that a document names: relative to the document's own folder.
 [[nodiscard]] std::filesystem::path fileNamedBy(const std::filesystem::path& documentPath, const std::string& name);
 
+/// The other way round: how a document names a file, relative to its own folder wherever both lie on the disk.
+[[nodiscard]] std::string nameFrom(const std::filesystem::path& documentPath, const std::filesystem::path& file);
+
 /// All that is wrong or remarkable in a document that could be read.
 struct Checked {
     document::Document document;

@@ -23,6 +23,8 @@ private slots:
     void inspectPrintsText();
     void inspectRefusesWhatItCannotRead();
     void aConvertedDocumentIsTheSame();
+    void aConvertedSampleIsSoundWhereverItLies_data();
+    void aConvertedSampleIsSoundWhereverItLies();
     void convertWritesOnlyDocuments();
     void convertWritesOverNothingItReads();
 
@@ -135,6 +137,27 @@ void tst_Program::inspectRefusesWhatItCannotRead() {
 void tst_Program::aConvertedDocumentIsTheSame() {
     QCOMPARE(run({"convert", sample("two-squares.toile"), in("copy.toile")}).status, 0);
     QCOMPARE(contentOf(in("copy.toile")), contentOf(sample("two-squares.toile")));
+}
+
+void tst_Program::aConvertedSampleIsSoundWhereverItLies_data() {
+    QTest::addColumn<QString>("file");
+    for (const QString& file : QDir(sample("")).entryList({"*.toile"}, QDir::Files))
+        QTest::newRow(qPrintable(file)) << file;
+}
+
+void tst_Program::aConvertedSampleIsSoundWhereverItLies() {
+    QFETCH(QString, file);
+    QVERIFY(QDir().mkpath(in("deep/er")));
+    QVERIFY(QFile::exists(in("short")) || QFile::link(in("deep/er"), in("short"))); // its ".." is deep
+    const QString elsewhere = in("short/copy.toile"), onward = in("deep/copy.toile");
+    QCOMPARE(run({"convert", sample(file), elsewhere}).status, 0);
+    QCOMPARE(run({"convert", elsewhere, onward}).status, 0);
+    for (const QString& copy : {elsewhere, onward}) {
+        const Finished checked = run({"check", copy});
+        QVERIFY2(checked.status == 0 && checked.err.isEmpty(), qPrintable(checked.err));
+    }
+    const Json avatar = *jsonOf(run({"inspect", elsewhere, "--json"}).out.toUtf8()).find("avatar");
+    QVERIFY(avatar.isNull() || avatar.asString()->starts_with("../"));
 }
 
 void tst_Program::convertWritesOnlyDocuments() {
