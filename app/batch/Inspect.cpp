@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/Commands.h"
 #include "app/batch/Console.h"
+#include "core/base/Extension.h"
 #include "core/base/Json.h"
 #include "core/io/BodyImport.h"
 #include "core/io/DocumentFile.h"
@@ -109,7 +110,7 @@ void printRows(const char* title, const Json& rows) {
 
 bool isBodyFile(const std::filesystem::path& file) {
     static constexpr std::array endings{".glb", ".gltf", ".obj", ".stl", ".ply", ".dae", ".fbx"};
-    return std::ranges::find(endings, file.extension().string()) != endings.end();
+    return std::ranges::find(endings, extensionOf(file)) != endings.end();
 }
 
 Result<Json> contentOf(const InspectOptions& options) {

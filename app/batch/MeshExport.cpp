@@ -2,6 +2,7 @@
 #include "app/batch/MeshExport.h"
 
 #include "core/base/AtomicFile.h"
+#include "core/base/Extension.h"
 #include "core/geometry/Polygon.h"
 #include "core/meshing/DisplayElements.h"
 #include "core/picture/RenderPicture.h"
@@ -115,9 +116,10 @@ Result<void> writePicture(const std::filesystem::path& file, const pattern::Patt
 
 Result<void> writeMesh(const std::filesystem::path& file, const pattern::Pattern& pattern,
                        const meshing::GarmentMesh& mesh) {
-    if (file.extension() == ".obj") return writeFileAtomically(file, objText(pattern, mesh));
-    if (file.extension() == ".svg") return writeFileAtomically(file, svgText(pattern, mesh));
-    if (file.extension() == ".png") return writePicture(file, pattern, mesh);
+    const std::string extension = extensionOf(file);
+    if (extension == ".obj") return writeFileAtomically(file, objText(pattern, mesh));
+    if (extension == ".svg") return writeFileAtomically(file, svgText(pattern, mesh));
+    if (extension == ".png") return writePicture(file, pattern, mesh);
     return fail(ErrorCode::unsupported, "A mesh can be written as .obj, .svg or .png.", {.file = file.string()});
 }
 

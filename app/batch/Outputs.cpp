@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/Outputs.h"
 
+#include "core/base/AtomicFile.h"
+#include "core/base/Extension.h"
+#include "core/io/FrameFiles.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,21 +15,19 @@ namespace {
 namespace fs = std::filesystem;
 
 Result<void> checkedOutput(const Output& output) {
-    const fs::path path(output.file);
+    const fs::path named(output.file), path = output.holdsFrames && !named.has_filename() ? named.parent_path() : named;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
     std::error_code unknown;
     if (!fs::is_directory(folder, unknown))
         return fail(ErrorCode::notFound, fmt::format("There is no folder \"{}\".", folder.string()),
                     {.file = output.file});
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = extensionOf(path);
     if (!output.extensions.empty() && std::ranges::find(output.extensions, extension) == output.extensions.end())
         return fail(
             ErrorCode::unsupported,
             fmt::format("This cannot be written as \"{}\", only as {}.", extension, fmt::join(output.extensions, ", ")),
             {.file = output.file});
-    return {};
+    return output.holdsFrames ? io::FrameFiles::checkWritable(path) : checkWritable(path);
 }
 
 /// Whether writing there changes what is read: the file itself, or one that lies in the folder.

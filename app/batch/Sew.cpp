@@ -39,8 +39,10 @@ std::vector<std::string> inputsOf(const SewOptions& options, const document::Doc
 Result<void> checked(const SewOptions& options, const document::Document& document) {
     if (options.method == staticMethod && options.seconds)
         return fail(ErrorCode::invalidInput, "The method \"static\" knows no time: leave out --seconds.");
-    std::vector<Output> outputs{
-        {options.out, {".glb", ".obj", ".ply", ".stl"}}, {options.report}, {options.checkpoint}, {options.frames}};
+    std::vector<Output> outputs{{options.out, {".glb", ".obj", ".ply", ".stl"}},
+                                {options.report},
+                                {options.checkpoint},
+                                {.file = options.frames, .holdsFrames = true}};
     for (const std::string& picture : options.pictures) outputs.push_back({picture, {".png"}});
     return checkedOutputs(outputs, inputsOf(options, document));
 }
@@ -139,12 +141,11 @@ Result<void> writeResults(const SewOptions& options, const OpenedScene& opened,
     const simulation::Frame frame = simulation.frame();
     if (!options.out.empty())
         if (auto written = io::writeDrape(options.out, *frame.topology, frame.positions); !written) return written;
-    if (!options.pictures.empty())
-        if (auto written = writePictures(options.pictures, frame, bodyAtEnd(opened, simulation)); !written)
-            return written;
     if (!options.report.empty())
-        return writeFileAtomically(options.report, toText(reportJson(options, opened, outcome)));
-    return {};
+        if (auto written = writeFileAtomically(options.report, toText(reportJson(options, opened, outcome))); !written)
+            return written;
+    if (options.pictures.empty()) return {};
+    return writePictures(options.pictures, frame, bodyAtEnd(opened, simulation)); // last: not every machine can draw
 }
 
 /// Sews, and moves the avatar if that is wanted.

@@ -6,6 +6,7 @@
 #include "app/batch/Opening.h"
 #include "app/batch/StudyFolder.h"
 #include "core/base/AtomicFile.h"
+#include "core/base/Extension.h"
 #include "core/io/DocumentFile.h"
 #include "core/study/Advice.h"
 #include "core/study/GarmentRecords.h"
@@ -70,7 +71,7 @@ Result<bool> writeGarmentReport(const std::string& folder, const study::GarmentA
 }
 
 bool namesADocument(const StudyOptions& options) {
-    return options.cases.size() == 1 && fs::path(options.cases.front()).extension() == ".toile";
+    return options.cases.size() == 1 && extensionOf(options.cases.front()) == ".toile";
 }
 
 int studyGarment(const StudyOptions& options, std::stop_token stop) {

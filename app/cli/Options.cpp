@@ -208,6 +208,14 @@ void declareConvert(CLI::App& app, std::function<int()>& chosen) {
     command->callback([options, &chosen] { chosen = [options] { return batch::convert(*options); }; });
 }
 
+/// An empty value would pass for an option that was left out.
+void refuseEmptyValues(CLI::App& command) {
+    const auto isEmpty = [](const std::string& text) { return text.empty() ? "it is empty" : ""; };
+    for (CLI::Option* option : command.get_options())
+        if (option->get_items_expected_max() > 0) option->check(isEmpty);
+    for (CLI::App* subcommand : command.get_subcommands({})) refuseEmptyValues(*subcommand);
+}
+
 } // namespace
 
 void declareCommands(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
@@ -218,6 +226,7 @@ void declareCommands(CLI::App& app, std::stop_token stop, std::function<int()>& 
     declareInspect(app, chosen);
     declareConvert(app, chosen);
     declareStudy(app, stop, chosen);
+    refuseEmptyValues(app);
 }
 
 } // namespace toile::cli

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <optional>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -53,20 +54,33 @@ void flushFolderOf(const fs::path& path) {
     ::close(handle);
 }
 
+/// The new content on its way.
+struct Neighbour {
+    fs::path path, target; ///< target: where it is to be, through symbolic links
+    int file = -1;
+    std::optional<mode_t> permissions; ///< of the file that is there now
+};
+
+Result<Neighbour> openedBeside(const fs::path& wanted) {
+    Neighbour neighbour{.target = resolved(wanted)};
+    struct stat existing {};
+    const bool exists = ::stat(neighbour.target.c_str(), &existing) == 0;
+    if (exists && !S_ISREG(existing.st_mode))
+        return fail(ErrorCode::io, "Cannot be written: it is not a regular file.", {.file = wanted.string()});
+    if (exists) neighbour.permissions = existing.st_mode & 07777;
+    neighbour.path = neighbourOf(neighbour.target);
+    neighbour.file = ::open(neighbour.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (neighbour.file < 0) return refused(wanted, "Cannot be written", errno);
+    return neighbour;
+}
+
 } // namespace
 
 Result<void> writeFileAtomically(const fs::path& wanted, std::string_view bytes) {
-    const fs::path path = resolved(wanted);
-    struct stat existing {};
-    const bool exists = ::stat(path.c_str(), &existing) == 0;
-    if (exists && !S_ISREG(existing.st_mode))
-        return fail(ErrorCode::io, "Cannot be written: it is not a regular file.", {.file = wanted.string()});
-
-    const fs::path neighbour = neighbourOf(path);
-    const int file = ::open(neighbour.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file < 0) return refused(wanted, "Cannot be written", errno);
-
-    int problem = exists && ::fchmod(file, existing.st_mode & 07777) != 0 ? errno : 0;
+    const auto opened = openedBeside(wanted);
+    if (!opened) return tl::unexpected(opened.error());
+    const auto& [neighbour, path, file, permissions] = *opened;
+    int problem = permissions && ::fchmod(file, *permissions) != 0 ? errno : 0;
     if (problem == 0) problem = writeAll(file, bytes);
     if (problem == 0 && ::fsync(file) != 0) problem = errno;
     if (::close(file) != 0 && problem == 0) problem = errno;
@@ -76,6 +90,14 @@ Result<void> writeFileAtomically(const fs::path& wanted, std::string_view bytes)
         return refused(wanted, "Cannot be written", problem);
     }
     flushFolderOf(path);
+    return {};
+}
+
+Result<void> checkWritable(const fs::path& path) {
+    const auto opened = openedBeside(path);
+    if (!opened) return tl::unexpected(opened.error());
+    ::close(opened->file);
+    ::unlink(opened->path.c_str());
     return {};
 }
 

@@ -13,4 +13,7 @@ namespace toile {
 /// its target; an existing file keeps its permissions.
 [[nodiscard]] Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// Whether a file could be written there now, asked before long work: the neighbour is made, and taken away again.
+[[nodiscard]] Result<void> checkWritable(const std::filesystem::path& path);
+
 } // namespace toile

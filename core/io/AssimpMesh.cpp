@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/AssimpMesh.h"
 
+#include "core/base/Extension.h"
+
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
@@ -146,10 +148,7 @@ Result<ImportedMesh> fromAnswer(std::string_view answer, const std::filesystem::
 } // namespace
 
 Result<ImportedMesh> meshThroughAssimp(const std::filesystem::path& path, const ChildLimits& limits) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const bool isFbx = extension == ".fbx";
+    const bool isFbx = extensionOf(path) == ".fbx";
     const auto answer = runInChild([&] { return readWithAssimp(path.string(), isFbx); }, limits);
     if (!answer) return fail(answer.error().code, answer.error().text, {.file = path.string()});
     return fromAnswer(*answer, path);

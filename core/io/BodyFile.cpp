@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/BodyFile.h"
 
+#include "core/base/Extension.h"
 #include "core/base/RegularFile.h"
 #include "core/io/AssimpMesh.h"
 #include "core/io/BodyGlb.h"
@@ -30,12 +31,6 @@ constexpr std::array<BodyFormat, 7> formats{{{".glb", true},
                                              {".obj", false},
                                              {".stl", false},
                                              {".ply", false}}};
-
-std::string extensionOf(const fs::path& path) {
-    std::string text = path.extension().string();
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 Result<BodyFormat> formatOf(const fs::path& path) {
     const auto known = std::ranges::find(formats, extensionOf(path), &BodyFormat::extension);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/DocumentFile.h"
 
+#include "core/base/Extension.h"
 #include "core/base/RegularFile.h"
 #include "core/io/ToileFile.h"
 #include "core/pattern/PatternCheck.h"
@@ -17,13 +18,6 @@ namespace {
 using pattern::Problem;
 
 constexpr std::uint64_t largestDocument = 256 << 20; // [bytes]
-
-std::string extensionOf(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
 
 Result<Imported> importedFrom(const std::string& text, const std::string& path) {
     const std::string extension = extensionOf(path);

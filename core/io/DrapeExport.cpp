@@ -2,10 +2,10 @@
 #include "core/io/DrapeExport.h"
 
 #include "core/base/AtomicFile.h"
+#include "core/base/Extension.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace toile::io {
 namespace {
@@ -28,9 +28,7 @@ Result<void> checked(const FrameTopology& topology, std::span<const Vec3> positi
 
 Result<void> writeDrape(const std::filesystem::path& path, const FrameTopology& topology,
                         std::span<const Vec3> positions) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = extensionOf(path);
     const auto writer =
         std::ranges::find_if(writers, [&](const auto& candidate) { return extension == candidate.first; });
     if (writer == writers.end())

@@ -3,6 +3,7 @@
 
 #include "core/base/AtomicFile.h"
 #include "core/base/Contracts.h"
+#include "core/base/Extension.h"
 #include "core/io/DrapeExport.h"
 
 #include <algorithm>
@@ -82,6 +83,10 @@ private:
     bool finished_ = false;
 };
 
+fs::path frameIn(const fs::path& folder, int number) {
+    return folder / fmt::format("frame-{:05}.obj", number);
+}
+
 /// frame-00000.obj, frame-00001.obj, … in one folder.
 class ObjSequence : public FrameFiles {
 public:
@@ -89,8 +94,7 @@ public:
         : folder_(std::move(folder)), topology_(std::move(topology)) {}
 
     Result<void> add(std::span<const Vec3> positions) override {
-        return writeFileAtomically(folder_ / fmt::format("frame-{:05}.obj", frames_++),
-                                   drapeObj(*topology_, positions));
+        return writeFileAtomically(frameIn(folder_, frames_++), drapeObj(*topology_, positions));
     }
     Result<void> finish() override { return {}; }
 
@@ -100,17 +104,24 @@ private:
     int frames_ = 0;
 };
 
-/// The folder is there and holds no frames.
-Result<void> emptyFolder(const fs::path& folder) {
+bool isPointCache(const fs::path& path) {
+    return extensionOf(path) == ".pc2";
+}
+
+Result<void> madeFolderFor(const fs::path& folder) {
     std::error_code problem;
     fs::create_directory(folder, problem);
-    if (!fs::is_directory(folder))
-        return fail(ErrorCode::io, fmt::format("The folder cannot be made: {}.", problem.message()),
-                    {.file = folder.string()});
+    if (fs::is_directory(folder)) return {};
+    return fail(ErrorCode::io, fmt::format("The folder cannot be made: {}.", problem.message()),
+                {.file = folder.string()});
+}
+
+Result<void> holdsNoFrames(const fs::path& folder) {
     const auto isFrame = [](const fs::directory_entry& entry) {
         return entry.path().filename().string().starts_with("frame-");
     };
-    if (std::ranges::any_of(fs::directory_iterator(folder), isFrame))
+    std::error_code unreadable;
+    if (std::ranges::any_of(fs::directory_iterator(folder, unreadable), isFrame))
         return fail(ErrorCode::io, "The folder holds frames of another run: empty it, or name another.",
                     {.file = folder.string()});
     return {};
@@ -118,14 +129,24 @@ Result<void> emptyFolder(const fs::path& folder) {
 
 } // namespace
 
+Result<void> FrameFiles::checkWritable(const fs::path& path) {
+    std::error_code unknown;
+    if (isPointCache(path) || !fs::exists(path, unknown)) return toile::checkWritable(path);
+    if (!fs::is_directory(path, unknown))
+        return fail(ErrorCode::io, "This is a file: name a folder for the frames, or a .pc2.", {.file = path.string()});
+    if (auto empty = holdsNoFrames(path); !empty) return empty;
+    return toile::checkWritable(frameIn(path, 0));
+}
+
 Result<std::unique_ptr<FrameFiles>> FrameFiles::create(const fs::path& path,
                                                        Shared<simulation::FrameTopology> topology) {
-    if (path.extension() == ".pc2") {
+    if (isPointCache(path)) {
         auto cache = std::make_unique<PointCache>(path, topology->material.size());
         if (const auto sound = cache->sound(); !sound) return tl::unexpected(sound.error());
         return cache;
     }
-    if (const auto empty = emptyFolder(path); !empty) return tl::unexpected(empty.error());
+    if (const auto made = madeFolderFor(path); !made) return tl::unexpected(made.error());
+    if (const auto empty = holdsNoFrames(path); !empty) return tl::unexpected(empty.error());
     return std::make_unique<ObjSequence>(path, std::move(topology));
 }
 

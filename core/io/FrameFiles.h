@@ -13,6 +13,8 @@ namespace toile::io {
 /// Keeps the frames of a run as they come, for programs that play them. docs/formats/frames.md
 class FrameFiles {
 public:
+    /// Whether `create` would do, asked before long work; makes nothing.
+    [[nodiscard]] static Result<void> checkWritable(const std::filesystem::path& path);
     /// A path that ends in .pc2 is one point cache; any other is a folder, made if it is not there, for one
     /// .obj a frame. Errors: the file or folder cannot be written; the folder holds frames already, so that
     /// none of an older run stay behind the new ones.

@@ -19,6 +19,7 @@ private slots:
     void aLinkKeepsPointingAtItsTarget();
     void nothingIsLeftBehindWhenTheFolderDoesNotExist();
     void aFolderIsNotOverwritten();
+    void whetherItCouldBeWrittenIsToldWithoutWriting();
     void foldersPipesAndLongFilesAreNotRead();
 
 private:
@@ -65,6 +66,19 @@ void tst_AtomicFile::aFolderIsNotOverwritten() {
     const long before = entries();
     QVERIFY(!writeFileAtomically(at("folder"), "y"));
     QVERIFY(fs::is_directory(at("folder")));
+    QCOMPARE(entries(), before);
+}
+
+void tst_AtomicFile::whetherItCouldBeWrittenIsToldWithoutWriting() {
+    QVERIFY(writeFileAtomically(at("old"), "old"));
+    fs::create_directory(at("folder"));
+    const long before = entries();
+    QVERIFY(checkWritable(at("new")));
+    QVERIFY(checkWritable(at("old")));
+    QCOMPARE(*readRegularFile(at("old"), 100), std::string("old"));
+    QVERIFY(!checkWritable(at("folder")));
+    QVERIFY(!checkWritable(at("no such folder/new")));
+    QVERIFY(!checkWritable("/proc/new"));
     QCOMPARE(entries(), before);
 }
 

@@ -57,6 +57,7 @@ private slots:
     void regionBordersMayStayWhereTheyArePainted();
     void anotherFormatIsRefused();
     void aMissingFolderIsSaidAndNothingIsWritten();
+    void namesMayEndInCapitals();
     void noResultTakesThePlaceOfTheDocumentOrOfAnother();
     void wrongUsage_data();
     void wrongUsage();
@@ -256,6 +257,13 @@ void tst_MeshCommand::aMissingFolderIsSaidAndNothingIsWritten() {
     QVERIFY(!QFile::exists(out) && !QFile::exists(lost)); // not half of the results
 }
 
+void tst_MeshCommand::namesMayEndInCapitals() {
+    for (const char* file : {"MESH.OBJ", "MESH.SVG", "MESH.PNG"}) {
+        QCOMPARE(run({"mesh", sample("two-squares.toile"), "--out", in(file)}).status, 0);
+        QVERIFY(!contentOf(in(file)).isEmpty());
+    }
+}
+
 void tst_MeshCommand::noResultTakesThePlaceOfTheDocumentOrOfAnother() {
     QVERIFY(QFile::copy(sample("two-squares.toile"), in("mine.toile")));
     QCOMPARE(run({"mesh", in("mine.toile"), "--report", in("mine.toile")}).status, 1);
@@ -273,6 +281,7 @@ void tst_MeshCommand::wrongUsage_data() {
     QTest::newRow("a spacing that is no number") << QStringList{"--spacing", "wide"};
     QTest::newRow("an unknown rule") << QStringList{"--rule", "random"};
     QTest::newRow("an unknown border") << QStringList{"--border", "soft"};
+    QTest::newRow("a piece without a name") << QStringList{"--piece", ""};
     QTest::newRow("no run at all") << QStringList{"--repeat", "0"};
 }
 

@@ -17,6 +17,7 @@ private slots:
     void wrongUsage();
     void tooLittleMemoryIsSaid();
     void anAvatarIsWrittenAndReadBack();
+    void anAvatarsNameMayEndInCapitals();
     void anImpossibleBodyIsRefused();
     void anAvatarIntoAMissingFolderIsRefused();
     void inspectPrintsJson();
@@ -96,6 +97,11 @@ void tst_Program::anAvatarIsWrittenAndReadBack() {
     QCOMPARE(*body.find("closed")->asBool(), true);
     QCOMPARE(*body.find("limbs")->asNumber(), 6.0);
     QVERIFY(std::abs(*body.find("height")->asNumber() - 1.72) < 0.005);
+}
+
+void tst_Program::anAvatarsNameMayEndInCapitals() {
+    QCOMPARE(run({"avatar", "--out", in("BODY.GLB")}).status, 0);
+    QVERIFY(jsonOf(run({"inspect", in("BODY.GLB"), "--json"}).out.toUtf8()).find("vertices"));
 }
 
 void tst_Program::anImpossibleBodyIsRefused() {

@@ -59,6 +59,9 @@ private slots:
     void aMissingFolderIsSaidAndNothingIsWritten();
     void noResultTakesThePlaceOfAnInputOrOfAnother_data();
     void noResultTakesThePlaceOfAnInputOrOfAnother();
+    void whatCannotBeWrittenIsSaidBeforeTheRun_data();
+    void whatCannotBeWrittenIsSaidBeforeTheRun();
+    void namesMayEndInCapitals();
     void aCheckpointMayTakeThePlaceOfTheOneItGoesOnFrom();
     void aBrokenDocumentIsRefused();
     void anInterruptLeavesNothingBehind();
@@ -432,6 +435,42 @@ void tst_SewCommand::noResultTakesThePlaceOfAnInputOrOfAnother() {
     QVERIFY(!QFile::exists(in("same")) && !QFile::exists(in("same.obj")) && !QFile::exists(in("same.png")));
 }
 
+void tst_SewCommand::whatCannotBeWrittenIsSaidBeforeTheRun_data() {
+    QTest::addColumn<QStringList>("options");
+    QTest::newRow("a drape where a folder is") << QStringList{"--out", "folder.glb"};
+    QTest::newRow("a report where a folder is") << QStringList{"--report", "folder.glb"};
+    QTest::newRow("a picture where a folder is") << QStringList{"--picture", "folder.png"};
+    QTest::newRow("a checkpoint where a folder is") << QStringList{"--checkpoint", "folder.glb"};
+    QTest::newRow("a point cache where a folder is") << QStringList{"--frames", "folder.pc2"};
+    QTest::newRow("frames where a file is") << QStringList{"--frames", "file"};
+    QTest::newRow("frames among others") << QStringList{"--frames", "kept"};
+    QTest::newRow("a folder that takes no file") << QStringList{"--out", "/proc/drape.glb"};
+    QTest::newRow("a folder that takes no folder") << QStringList{"--frames", "/proc/frames"};
+}
+
+void tst_SewCommand::whatCannotBeWrittenIsSaidBeforeTheRun() {
+    QFETCH(QStringList, options);
+    for (const char* folder : {"folder.glb", "folder.png", "folder.pc2", "kept"}) QVERIFY(QDir().mkpath(in(folder)));
+    for (const char* file : {"file", "kept/frame-00000.obj"})
+        QVERIFY(QFile::copy(sample("two-squares.toile"), in(file)));
+    if (!QDir::isAbsolutePath(options.last())) options.last() = in(qPrintable(options.last()));
+    const Finished finished =
+        run(QStringList{"sew", sample("two-squares.toile"), "--spacing", "10", "--refine", "--limit", "0.1"} + options);
+    QCOMPARE(finished.status, 1);
+    QCOMPARE(finished.errorLines().size(), 1); // no progress, no seam that stayed open
+    QVERIFY2(finished.err.startsWith(options.last() + ": "), qPrintable(finished.err));
+    QCOMPARE(QDir(folder_->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(), 5);
+}
+
+void tst_SewCommand::namesMayEndInCapitals() {
+    const Finished finished = run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("CACHE.PC2"),
+                                   "--out", in("DRAPE.OBJ"), "--picture", in("FRONT.PNG")});
+    QCOMPARE(finished.status, 3); // not sewn yet
+    QVERIFY(contentOf(in("CACHE.PC2")).startsWith("POINTCACHE2"));
+    QVERIFY(contentOf(in("DRAPE.OBJ")).contains("\nv "));
+    QVERIFY(contentOf(in("FRONT.PNG")).contains("PNG"));
+}
+
 void tst_SewCommand::aCheckpointMayTakeThePlaceOfTheOneItGoesOnFrom() {
     const QStringList sew{"sew", sample("two-squares.toile"), "--seconds", "0.1", "--checkpoint", in("point")};
     QCOMPARE(run(sew).status, 3); // not sewn yet
@@ -491,6 +530,8 @@ void tst_SewCommand::wrongUsage_data() {
     for (const char* option : {"--seconds", "--limit", "--hold", "--spacing", "--step", "--lift-arms"})
         for (const char* value : {"nan", "-nan", "inf"})
             QTest::addRow("%s %s", option, value) << QStringList{option, value};
+    for (const char* option : {"--avatar", "--out", "--report", "--frames", "--checkpoint", "--resume", "--picture"})
+        QTest::addRow("%s of nothing", option) << QStringList{option, ""};
     QTest::newRow("--lift-time nan") << QStringList{"--lift-arms", "20", "--lift-time", "nan"};
     QTest::newRow("--motion-step nan") << QStringList{"--motion", "poses", "--motion-step", "nan"};
 }
@@ -500,7 +541,8 @@ void tst_SewCommand::wrongUsage() {
     const Finished finished = run(QStringList{"sew", sample("two-squares.toile")} + options);
     QCOMPARE(finished.status, 2);
     QVERIFY(!finished.err.isEmpty());
-    if (options.last() == "nan") QVERIFY2(finished.err.contains(options[options.size() - 2]), qPrintable(finished.err));
+    if (options.last() == "nan" || options.last().isEmpty())
+        QVERIFY2(finished.err.contains(options[options.size() - 2]), qPrintable(finished.err));
 }
 
 QTEST_GUILESS_MAIN(tst_SewCommand)
