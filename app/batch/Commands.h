@@ -27,7 +27,7 @@ struct MeshOptions {
     int repeat = 1;      ///< runs whose median time is reported
     std::string out, report;
 };
-[[nodiscard]] int mesh(const MeshOptions& options);
+[[nodiscard]] int mesh(const MeshOptions& options, std::stop_token stop);
 
 struct SewOptions {
     std::string file, avatar;

@@ -17,17 +17,23 @@ std::string timeLeft(double seconds, double fraction) {
     return fmt::format(", {}:{:02} left", left / 60, left % 60);
 }
 
+/// Unlike fmt::print this does not throw where the terminal is gone, when there is still a checkpoint to be written.
+void say(const std::string& text) {
+    std::fputs(text.c_str(), stderr);
+    std::fflush(stderr);
+}
+
 } // namespace
 
 void printError(const Error& error) {
-    fmt::print(stderr, "{}\n", toString(error));
+    say(toString(error) + '\n');
 }
 
 ProgressBar::ProgressBar(bool quiet)
     : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()), last_(start_) {}
 
 ProgressBar::~ProgressBar() {
-    if (shown_ && terminal_) fmt::print(stderr, "\r\x1b[K");
+    if (shown_ && terminal_) say("\r\x1b[K");
 }
 
 Progress ProgressBar::progress() {
@@ -52,9 +58,7 @@ void ProgressBar::show(double fraction, const std::string& what) {
     const int full = std::clamp(static_cast<int>(fraction * barWidth), 0, barWidth);
     const std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %{}  {}", "", full, "", barWidth - full,
                                          100 * fraction, timeLeft(elapsed, fraction), what);
-    if (terminal_) fmt::print(stderr, "\r{}\x1b[K", line);
-    else fmt::print(stderr, "{}\n", line);
-    std::fflush(stderr);
+    say(terminal_ ? fmt::format("\r{}\x1b[K", line) : line + '\n');
 }
 
 } // namespace toile::batch

@@ -32,15 +32,15 @@ Result<pattern::Pattern> onlyPiece(const pattern::Pattern& pattern, const std::s
 }
 
 /// Meshes several times and reports the median time of each piece and of all.
-Result<meshing::GarmentMesh> meshRepeatedly(const meshing::MeshInput& input, int repeat) {
+Result<meshing::GarmentMesh> meshRepeatedly(const meshing::MeshInput& input, int repeat, std::stop_token stop) {
     std::vector<meshing::MeshReport> reports;
-    Result<meshing::GarmentMesh> mesh = meshing::meshGarment(input);
-    for (int run = 1; mesh && run < repeat; ++run) {
-        reports.push_back(mesh->report);
+    Result<meshing::GarmentMesh> mesh;
+    for (int run = 0; run < repeat; ++run) {
         mesh = meshing::meshGarment(input);
+        if (!mesh) return mesh;
+        if (stop.stop_requested()) return fail(ErrorCode::cancelled, "The run was stopped.");
+        reports.push_back(mesh->report);
     }
-    if (!mesh) return mesh;
-    reports.push_back(mesh->report);
     const auto median = [&](auto secondsOf) {
         std::vector<double> seconds;
         for (const meshing::MeshReport& report : reports) seconds.push_back(secondsOf(report));
@@ -86,7 +86,7 @@ void printSummary(const meshing::MeshReport& report) {
     for (const Warning& warning : report.warnings) fmt::print(stderr, "{}: {}\n", warning.place, warning.text);
 }
 
-Result<void> run(const MeshOptions& options) {
+Result<void> run(const MeshOptions& options, std::stop_token stop) {
     const std::vector<Output> outputs{{options.out, {".obj", ".svg", ".png"}}, {options.report}};
     if (auto sound = checkedOutputs(outputs, {options.file}); !sound) return sound;
     auto opened = io::readDocument(options.file);
@@ -98,7 +98,7 @@ Result<void> run(const MeshOptions& options) {
     if (!input) return tl::unexpected(input.error());
     if (!options.regions)
         for (meshing::PieceInput& piece : input->pieces) piece.regions.clear();
-    const auto mesh = meshRepeatedly(*input, options.repeat);
+    const auto mesh = meshRepeatedly(*input, options.repeat, stop);
     if (!mesh) return tl::unexpected(mesh.error());
     printSummary(mesh->report);
     if (!options.out.empty())
@@ -109,8 +109,8 @@ Result<void> run(const MeshOptions& options) {
 
 } // namespace
 
-int mesh(const MeshOptions& options) {
-    if (const auto finished = run(options); !finished) {
+int mesh(const MeshOptions& options, std::stop_token stop) {
+    if (const auto finished = run(options, stop); !finished) {
         printError(finished.error());
         return inputWrong;
     }

@@ -50,7 +50,7 @@ void declareCheck(CLI::App& app, std::function<int()>& chosen) {
     command->callback([files, &chosen] { chosen = [files] { return batch::check(*files); }; });
 }
 
-void declareMesh(CLI::App& app, std::function<int()>& chosen) {
+void declareMesh(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
     auto* command = app.add_subcommand("mesh", "mesh the pieces and report their quality");
     auto options = std::make_shared<MeshOptions>();
     command->add_option("FILE", options->file)->required();
@@ -68,7 +68,7 @@ void declareMesh(CLI::App& app, std::function<int()>& chosen) {
     command->add_option("--repeat", options->repeat, "runs whose median time is reported")->check(CLI::Range(1, 1000));
     command->add_option("--out", options->out, "write the mesh: .obj, .svg or .png");
     command->add_option("--report", options->report, "write mesh.json");
-    command->callback([options, &chosen] { chosen = [options] { return batch::mesh(*options); }; });
+    command->callback([options, stop, &chosen] { chosen = [options, stop] { return batch::mesh(*options, stop); }; });
 }
 
 void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
@@ -129,9 +129,9 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
                 !text.empty() && text.size() < 5 && text.find_first_not_of("0123456789") == std::string::npos;
             return text == "auto" || (number && std::stoi(text) > 0) ? "" : "a positive number or auto";
         });
-    auto* checkpoint =
-        command->add_option("--checkpoint", options->checkpoint,
-                            "write where the simulation stands at the end, also when it is stopped by Ctrl+C");
+    auto* checkpoint = command->add_option(
+        "--checkpoint", options->checkpoint,
+        "write where the simulation stands at the end, also when it is stopped (Ctrl+C, SIGTERM, SIGHUP)");
     command->add_option("--resume", options->resume, "go on from a checkpoint of the same garment, body and options")
         ->excludes(refine); // it stands on the fine mesh already
     auto* lift = command
@@ -220,7 +220,7 @@ void refuseEmptyValues(CLI::App& command) {
 
 void declareCommands(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
     declareCheck(app, chosen);
-    declareMesh(app, chosen);
+    declareMesh(app, stop, chosen);
     declareSew(app, stop, chosen);
     declareAvatar(app, chosen);
     declareInspect(app, chosen);

@@ -11,16 +11,22 @@
 
 namespace {
 
-/// Ctrl+C asks the work to stop; a second one ends the program at once.
-std::stop_source stopOnInterrupt() {
+volatile std::sig_atomic_t stopIsWanted = 0;
+
+extern "C" void wantStop(int signal) {
+    if (signal == SIGINT && stopIsWanted != 0) std::_Exit(130);
+    stopIsWanted = 1;
+}
+
+/// Ctrl+C, being told to end, and the end of the terminal ask the work to stop; a Ctrl+C after that ends the program at
+/// once.
+std::stop_source stopOnSignals() {
+    std::signal(SIGINT, wantStop);
+    std::signal(SIGTERM, wantStop);
+    if (std::signal(SIGHUP, wantStop) == SIG_IGN) std::signal(SIGHUP, SIG_IGN); // as nohup wants it
     static std::stop_source source;
-    static volatile std::sig_atomic_t interrupts = 0;
-    std::signal(SIGINT, [](int) {
-        interrupts = interrupts + 1;
-        if (interrupts > 1) std::_Exit(130);
-    });
     std::thread([] { // a signal handler may not touch a stop source
-        while (interrupts == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        while (stopIsWanted == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
         source.request_stop();
     })
         .detach();
@@ -31,7 +37,7 @@ int run(int argc, char** argv) {
     CLI::App app("Toile without a window: check, mesh, sew and convert garment patterns.", "toile-cli");
     app.require_subcommand(1);
     app.set_version_flag("--version", toile::batch::versionText("toile-cli"));
-    const std::stop_source stop = stopOnInterrupt();
+    const std::stop_source stop = stopOnSignals();
     std::function<int()> chosen;
     toile::cli::declareCommands(app, stop.get_token(), chosen);
     try {

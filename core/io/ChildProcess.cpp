@@ -48,7 +48,7 @@ bool writeAll(int file, const std::string& bytes) {
 [[noreturn]] void beChild(const std::function<std::string()>& work, const ChildLimits& limits, std::size_t addresses,
                           int answer) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL); // no orphan keeps computing
-    for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGPIPE})
+    for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGHUP, SIGPIPE})
         ::signal(signal, SIG_DFL);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, 0);

@@ -3,6 +3,7 @@
 #include "Program.h"
 
 #include <QTemporaryDir>
+#include <csignal>
 
 using namespace toile;
 
@@ -59,6 +60,7 @@ private slots:
     void aMissingFolderIsSaidAndNothingIsWritten();
     void namesMayEndInCapitals();
     void noResultTakesThePlaceOfTheDocumentOrOfAnother();
+    void anInterruptStopsBetweenRepetitions();
     void wrongUsage_data();
     void wrongUsage();
 
@@ -272,6 +274,21 @@ void tst_MeshCommand::noResultTakesThePlaceOfTheDocumentOrOfAnother() {
     QCOMPARE(twice.status, 1);
     QVERIFY2(twice.err.contains("Two results"), qPrintable(twice.err));
     QVERIFY(!QFile::exists(in("same.obj")));
+}
+
+void tst_MeshCommand::anInterruptStopsBetweenRepetitions() {
+    QProcess process; // for minutes
+    process.start(program(),
+                  {"mesh", sample("blouse.toile"), "--spacing", "2", "--repeat", "1000", "--report", in("no.json")});
+    QVERIFY(process.waitForStarted());
+    QTest::qWait(1000); // a process of a moment would know no signals yet
+    QCOMPARE(process.state(), QProcess::Running);
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(30000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 1);
+    QVERIFY(process.readAllStandardError().contains("stopped"));
+    QVERIFY(!QFile::exists(in("no.json")));
 }
 
 void tst_MeshCommand::wrongUsage_data() {

@@ -64,7 +64,10 @@ private slots:
     void namesMayEndInCapitals();
     void aCheckpointMayTakeThePlaceOfTheOneItGoesOnFrom();
     void aBrokenDocumentIsRefused();
+    void anInterruptLeavesNothingBehind_data();
     void anInterruptLeavesNothingBehind();
+    void aRunThatIsToldToEndKeepsItsCheckpoint_data() { anInterruptLeavesNothingBehind_data(); }
+    void aRunThatIsToldToEndKeepsItsCheckpoint();
     void aStoppedRunGoesOnFromItsCheckpoint();
     void wrongUsage_data();
     void wrongUsage();
@@ -486,13 +489,35 @@ void tst_SewCommand::aBrokenDocumentIsRefused() {
     QVERIFY(QDir(folder_->path()).isEmpty());
 }
 
+void tst_SewCommand::anInterruptLeavesNothingBehind_data() {
+    QTest::addColumn<int>("signal");
+    QTest::newRow("Ctrl+C") << SIGINT;
+    QTest::newRow("told to end") << SIGTERM;
+    QTest::newRow("the terminal is closed") << SIGHUP;
+}
+
+void tst_SewCommand::aRunThatIsToldToEndKeepsItsCheckpoint() {
+    QFETCH(int, signal);
+    QProcess process;
+    process.setReadChannel(QProcess::StandardError);
+    process.start(program(), {"sew", sample("blouse.toile"), "--spacing", "10", "--checkpoint", in("point")});
+    QVERIFY(process.waitForReadyRead(60000));
+    ::kill(static_cast<pid_t>(process.processId()), signal);
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 1);
+    QVERIFY(contentOf(in("point")).contains("toile-checkpoint"));
+}
+
 void tst_SewCommand::anInterruptLeavesNothingBehind() {
+    QFETCH(int, signal);
     QProcess process; // a garment that takes minutes
     process.setReadChannel(QProcess::StandardError);
     process.start(program(), {"sew", sample("blouse.toile"), "--spacing", "10", "--out", in("drape.glb"), "--report",
-                              in("sew.json")});
+                              in("sew.json"), "--frames", in("cache.pc2")});
     QVERIFY(process.waitForReadyRead(60000)); // its first word of progress
-    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(QFile::exists(in("cache.pc2.part")));
+    ::kill(static_cast<pid_t>(process.processId()), signal);
     QVERIFY(process.waitForFinished(60000));
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);
     QVERIFY(process.exitCode() != 0);
