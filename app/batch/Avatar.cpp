@@ -7,6 +7,18 @@
 #include <fmt/format.h>
 
 namespace toile::batch {
+namespace {
+
+/// --under-bust gives the field underBust.
+std::string optionOf(const std::string& measurement) {
+    std::string option = "--";
+    for (const char c : measurement)
+        if ('A' <= c && c <= 'Z') option += {'-', static_cast<char>(c - 'A' + 'a')};
+        else option += c;
+    return option;
+}
+
+} // namespace
 
 int avatar(const AvatarOptions& options) {
     if (const auto out = checkedOutputs({{options.out, {".glb"}}}, {}); !out) {
@@ -15,7 +27,9 @@ int avatar(const AvatarOptions& options) {
     }
     const auto mannequin = body::makeMannequin(options.measurements);
     if (!mannequin) {
-        printError(mannequin.error());
+        Error error = mannequin.error();
+        if (!error.place.path.empty()) error.place.path = optionOf(error.place.path);
+        printError(error);
         return inputWrong;
     }
     fmt::print("{} vertices, {} triangles\n", mannequin->body.mesh.vertices.size(),

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 #include <optional>
 
 namespace toile::body {
@@ -23,6 +24,7 @@ std::optional<Error> firstImpossible(const Measurements& m) {
     struct Range {
         const char* name;
         double value, low, high; // [m], angles [rad]
+        bool isAngle = false;
     };
     const double h = m.height;
     const Range ranges[] = {{"height", h, 1.30, 2.20},
@@ -35,19 +37,23 @@ std::optional<Error> firstImpossible(const Measurements& m) {
                             {"wrist", m.wrist, 0.11, 0.25},
                             {"thigh", m.thigh, 0.36, std::min(0.95, 0.63 * m.hip)},
                             {"shoulderWidth", m.shoulderWidth, 0.28, 0.52},
-                            {"shoulderSlope", m.shoulderSlope, 0.15, 0.60},
+                            {"shoulderSlope", m.shoulderSlope, 0.15, 0.60, true},
                             {"napeToWaist", m.napeToWaist, 0.18 * h, 0.31 * h},
                             {"bustHeight", m.bustHeight, 0.12 * h, 0.22 * h},
                             {"arm", m.arm, 0.28 * h, 0.42 * h},
                             {"insideLeg", m.insideLeg, 0.38 * h, 0.53 * h},
-                            {"armAngle", m.armAngle, 0.00, 1.10}};
-    for (const Range& r : ranges)
-        if (!(r.value >= r.low && r.value <= r.high))
-            return Error{ErrorCode::invalidInput,
-                         fmt::format("{} must lie between {:.3f} and {:.3f} for this body, but is {:.3f}.", r.name,
-                                     r.low, r.high, r.value),
-                         {.path = r.name}};
-    return std::nullopt;
+                            {"armAngle", m.armAngle, 0.00, 1.10, true}};
+    const Range* const wrong =
+        std::ranges::find_if(ranges, [](const Range& r) { return !(r.value >= r.low && r.value <= r.high); });
+    if (wrong == std::end(ranges)) return std::nullopt;
+    const double unit = wrong->isAngle ? std::numbers::pi / 180 : 0.001;
+    constexpr double hair = 1e-6; // of a division by the unit
+    return Error{ErrorCode::invalidInput,
+                 fmt::format("It must lie between {:g} and {:g} {} for this body, but is {:g}.",
+                             std::ceil(10 * wrong->low / unit - hair) / 10, // what is said to be possible is
+                             std::floor(10 * wrong->high / unit + hair) / 10, wrong->isAngle ? "degrees" : "mm",
+                             wrong->value / unit),
+                 {.path = wrong->name}};
 }
 
 std::vector<Girth> measuredGirths(const geometry::TriangleMesh& mesh, const MannequinShape& shape,
@@ -148,11 +154,11 @@ Result<Mannequin> makeMannequin(const Measurements& m) {
             aims[g] += asked[g] - girths[g].hull; // flat faces cut the curves short
     }
     const Girth& worst = worstOf(girths);
-    return fail(
-        ErrorCode::notConverged,
-        fmt::format("{} of {:.3f} m was not reached (closest {:.3f} m); it does not go with the other measurements.",
-                    worst.name, worst.asked, worst.hull),
-        {.path = worst.name});
+    return fail(ErrorCode::notConverged,
+                fmt::format("A girth of {:.1f} mm was not reached (closest {:.1f} mm); it does not go with the other "
+                            "measurements.",
+                            1000 * worst.asked, 1000 * worst.hull),
+                {.path = worst.name});
 }
 
 } // namespace toile::body

@@ -40,7 +40,7 @@ struct Mannequin {
 };
 
 /// A smooth adult body, closed and manifold, facing +z, standing on y = 0, arms in an A-pose.
-/// Error names the measurement that no body can have or that was not reached.
+/// The error's place names the measurement that no body can have or that was not reached, as its field is called.
 [[nodiscard]] Result<Mannequin> makeMannequin(const Measurements& measurements);
 
 /// Landmarks and limb axes guessed from the shape of a standing body that faces +z with y up; error when the

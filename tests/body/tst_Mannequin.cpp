@@ -238,7 +238,6 @@ void tst_Mannequin::impossibleMeasurementsAreNamed() {
     const auto refused = makeMannequin(measurements);
     QVERIFY(!refused);
     QCOMPARE(QString::fromStdString(refused.error().place.path), name);
-    QVERIFY(refused.error().text.starts_with(name.toStdString()));
 }
 
 QTEST_APPLESS_MAIN(tst_Mannequin)

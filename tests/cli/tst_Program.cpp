@@ -19,6 +19,8 @@ private slots:
     void anAvatarIsWrittenAndReadBack();
     void anAvatarsNameMayEndInCapitals();
     void anImpossibleBodyIsRefused();
+    void whatIsImpossibleIsSaidAsItWasGiven_data();
+    void whatIsImpossibleIsSaidAsItWasGiven();
     void anAvatarIntoAMissingFolderIsRefused();
     void inspectPrintsJson();
     void inspectPrintsText();
@@ -110,6 +112,29 @@ void tst_Program::anImpossibleBodyIsRefused() {
     QCOMPARE(finished.errorLines().size(), 1);
     QVERIFY2(finished.err.contains("waist", Qt::CaseInsensitive), qPrintable(finished.err));
     QVERIFY(!QFile::exists(in("giant.glb")));
+}
+
+void tst_Program::whatIsImpossibleIsSaidAsItWasGiven_data() {
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("centimetres for millimetres")
+        << QStringList{"--height", "170"}
+        << "--height: It must lie between 1300 and 2200 mm for this body, but is 170.";
+    QTest::newRow("an angle") << QStringList{"--shoulder-slope", "90"}
+                              << "--shoulder-slope: It must lie between 8.6 and 34.3 degrees for this body, but is 90.";
+    QTest::newRow("a name of two words, and a limit by another option")
+        << QStringList{"--under-bust", "950.5", "--bust", "910.27"}
+        << "--under-bust: It must lie between 550 and 910.2 mm for this body, but is 950.5.";
+    QTest::newRow("no number") << QStringList{"--waist", "nan"}
+                               << "--waist: It must lie between 480 and 1450 mm for this body, but is nan.";
+}
+
+void tst_Program::whatIsImpossibleIsSaidAsItWasGiven() {
+    QFETCH(QStringList, options);
+    QFETCH(QString, said);
+    const Finished finished = run(QStringList{"avatar", "--out", in("none.glb")} + options);
+    QCOMPARE(finished.status, 1);
+    QCOMPARE(finished.err.trimmed(), said);
 }
 
 void tst_Program::anAvatarIntoAMissingFolderIsRefused() {
