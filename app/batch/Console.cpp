@@ -25,8 +25,26 @@ void say(const std::string& text) {
 
 } // namespace
 
+std::string oneLine(std::string_view text) {
+    std::string line;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
+        if (byte < 0x20 || byte == 0x7f) line += byte == '\n' ? "\\n" : fmt::format("\\u{:04x}", byte);
+        else if (byte == 0xc2 && next >= 0x80 && next < 0xa0) { // U+0080 to U+009F, of which one begins commands, too
+            line += fmt::format("\\u{:04x}", next);
+            ++i;
+        } else line += text[i];
+    }
+    return line;
+}
+
 void printError(const Error& error) {
-    say(toString(error) + '\n');
+    say(oneLine(toString(error)) + '\n');
+}
+
+void printWarnings(const std::vector<Warning>& warnings) {
+    for (const Warning& warning : warnings) say(oneLine(warning.place + ": " + warning.text) + '\n');
 }
 
 ProgressBar::ProgressBar(bool quiet)
@@ -57,7 +75,7 @@ void ProgressBar::show(double fraction, const std::string& what) {
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const int full = std::clamp(static_cast<int>(fraction * barWidth), 0, barWidth);
     const std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %{}  {}", "", full, "", barWidth - full,
-                                         100 * fraction, timeLeft(elapsed, fraction), what);
+                                         100 * fraction, timeLeft(elapsed, fraction), oneLine(what));
     say(terminal_ ? fmt::format("\r{}\x1b[K", line) : line + '\n');
 }
 

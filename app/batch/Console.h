@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cstddef>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace toile::batch {
 
@@ -18,8 +20,14 @@ enum ExitStatus {
     goalMissed = 3, ///< it ran, but a seam stayed open or the cloth did not come to rest
 };
 
+/// Text of a file or of an option as it can stand in one line of a terminal: line ends, escapes and other control
+/// characters as in JSON.
+[[nodiscard]] std::string oneLine(std::string_view text);
+
 /// Prints "FILE: place: sentence" on stderr.
 void printError(const Error& error);
+/// Prints "place: sentence" on stderr, a line for each.
+void printWarnings(const std::vector<Warning>& warnings);
 
 /// A bar that rewrites its line on a terminal, one plain line a second elsewhere.
 class ProgressBar {

@@ -5,8 +5,6 @@
 #include "core/io/DocumentFile.h"
 #include "core/io/ToileFile.h"
 
-#include <fmt/format.h>
-
 namespace toile::batch {
 
 int convert(const ConvertOptions& options) {
@@ -19,7 +17,7 @@ int convert(const ConvertOptions& options) {
         printError(opened.error());
         return inputWrong;
     }
-    for (const Warning& warning : opened->warnings) fmt::print(stderr, "{}: {}\n", warning.place, warning.text);
+    printWarnings(opened->warnings);
     std::string& avatar = opened->document.avatarFile; // the same body, named from the new place
     if (!avatar.empty()) avatar = io::nameFrom(options.out, io::fileNamedBy(options.in, avatar));
     if (const auto written = io::writeToile(opened->document, options.out); !written) {

@@ -98,13 +98,14 @@ void printRows(const char* title, const Json& rows) {
     for (const Json& row : *rows.asArray()) {
         std::string line = " ";
         for (const auto& [key, value] : *row.asObject()) {
-            if (key == "id" || value.isNull()) continue;
+            if (key == "id" || value.isNull()) continue; // it stands behind the name
             if (const double* number = value.asNumber()) line += fmt::format(" {} {:.4g}", key, *number);
             else if (const std::string* text = value.asString())
-                line += key == "name" ? " " + *text + ":" : " " + key + " " + *text;
+                line += key == "name" ? fmt::format(" {} ({}):", *text, *row.find("id")->asString())
+                                      : fmt::format(" {} {}", key, *text);
             else if (value.asBool() && !*value.asBool()) line += " not " + key;
         }
-        fmt::print("{}\n", line);
+        fmt::print("{}\n", oneLine(line));
     }
 }
 
@@ -140,7 +141,7 @@ int inspect(const InspectOptions& options) {
         fmt::print("{}\n", toLine(*content));
         return done;
     }
-    if (const std::string* avatar = content->find("avatar")->asString()) fmt::print("avatar: {}\n", *avatar);
+    if (const std::string* avatar = content->find("avatar")->asString()) fmt::print("avatar: {}\n", oneLine(*avatar));
     printRows("pieces", *content->find("pieces"));
     printRows("seams", *content->find("seams"));
     printRows("tacks", *content->find("tacks"));

@@ -62,7 +62,7 @@ void printPieces(const meshing::MeshReport& report) {
                    piece.minimumAngle * 57.29577951308232, meshing::angleBelow(piece, 0.01),
                    meshing::angleBelow(piece, 0.05), meshing::angleBelow(piece, 0.95), 1000 * piece.seconds);
     };
-    for (const meshing::PieceReport& piece : report.pieces) row(piece.label, piece);
+    for (const meshing::PieceReport& piece : report.pieces) row(oneLine(piece.label), piece);
     row("all", report.total);
 }
 
@@ -72,7 +72,7 @@ void printSeams(const meshing::MeshReport& report) {
     fmt::print("\n{:<28}{:>9}{:>19}{:>9}{:>9}   {}\n", "seam", "points", "lengths mm", "ease mm", "unit %", "alike");
     for (const meshing::SeamReport& seam : report.seams) {
         const meshing::SewnAlike alike = meshing::sewnAlike(seam);
-        fmt::print("{:<28}{:>9}{:>19}{:>9.1f}{:>9.2f}   {}{}{}\n", seam.label,
+        fmt::print("{:<28}{:>9}{:>19}{:>9.1f}{:>9.2f}   {}{}{}\n", oneLine(seam.label),
                    fmt::format("{}={}", seam.countA, seam.countB),
                    fmt::format("{:.1f}/{:.1f}", 1e3 * seam.lengthA, 1e3 * seam.lengthB), 1e3 * seam.ease,
                    100 * seam.largestSpacingMismatch, alike.length ? "length " : "", alike.count ? "count " : "",
@@ -83,7 +83,7 @@ void printSeams(const meshing::MeshReport& report) {
 void printSummary(const meshing::MeshReport& report) {
     printPieces(report);
     printSeams(report);
-    for (const Warning& warning : report.warnings) fmt::print(stderr, "{}: {}\n", warning.place, warning.text);
+    printWarnings(report.warnings);
 }
 
 Result<void> run(const MeshOptions& options, std::stop_token stop) {

@@ -108,17 +108,17 @@ void printSummary(const simulation::SewReport& report, const SewOptions& options
         fmt::print("{}\n", methodsOf(report));
     for (const simulation::FoldReport& fold : report.folds)
         fmt::print("piece \"{}\", fold \"{}\": pressed to {:.0f}°, lies at {:.0f}°, from {:.0f}° to {:.0f}°\n",
-                   fold.piece, fold.name, degrees(fold.restAngle), degrees(fold.mean), degrees(fold.least),
-                   degrees(fold.most));
+                   oneLine(fold.piece), oneLine(fold.name), degrees(fold.restAngle), degrees(fold.mean),
+                   degrees(fold.least), degrees(fold.most));
     if (report.contact.bodyClearanceMinimum)
         fmt::print("{:.1f} mm from the body at the nearest, {} intersections with the body, {} with itself\n",
                    1000 * *report.contact.bodyClearanceMinimum, report.contact.bodyIntersections,
                    report.contact.selfIntersections);
     if (report.worn) {
         fmt::print("{}\n", report.worn->worn ? "worn" : "not worn:");
-        for (const std::string& why : report.worn->why) fmt::print("  {}\n", why);
+        for (const std::string& why : report.worn->why) fmt::print("  {}\n", oneLine(why));
     }
-    for (const Warning& warning : report.warnings) fmt::print(stderr, "{}: {}\n", warning.place, warning.text);
+    printWarnings(report.warnings);
 }
 
 void printWearing(const simulation::WearingReport& wearing) {

@@ -3,7 +3,9 @@
 
 #include "app/cli/NumberFrom.h"
 #include "app/cli/StudyOptions.h"
+#include "core/simulation/SceneCheck.h"
 
+#include <charconv>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -125,9 +127,12 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
             [options](const std::string& text) { options->substeps = text == "auto" ? 0 : std::stoi(text); },
             "substeps of a frame step, or auto")
         ->check([](const std::string& text) {
-            const bool number =
-                !text.empty() && text.size() < 5 && text.find_first_not_of("0123456789") == std::string::npos;
-            return text == "auto" || (number && std::stoi(text) > 0) ? "" : "a positive number or auto";
+            int number = 0;
+            const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+            const bool isOne = failure == std::errc() && end == text.data() + text.size();
+            if (text == "auto" || (isOne && number >= 1 && number <= simulation::mostSubsteps)) return std::string();
+            return fmt::format("\"{}\" is neither auto nor a whole number from 1 to {}", text,
+                               simulation::mostSubsteps);
         });
     auto* checkpoint = command->add_option(
         "--checkpoint", options->checkpoint,

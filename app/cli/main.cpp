@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <fmt/ranges.h>
 #include <new>
 #include <thread>
 
@@ -33,6 +34,25 @@ std::stop_source stopOnSignals() {
     return source;
 }
 
+/// The command whose own command was not understood, or is missing; absent where none is.
+const CLI::App* wantingCommand(const CLI::App& app) {
+    if (!app.get_subcommands().empty()) return wantingCommand(*app.get_subcommands().front());
+    return app.get_require_subcommand_min() > 0 ? &app : nullptr;
+}
+
+/// CLI11 would only say that a command is missing. Empty where none was given.
+std::string unknownCommand(const CLI::App& app) {
+    const CLI::App* const wanting = wantingCommand(app);
+    if (!wanting || wanting->remaining().empty()) return {};
+    const std::string word = wanting->remaining().front();
+    if (word.starts_with('-')) return fmt::format("There is no option \"{}\" of {}.", word, wanting->get_name());
+    std::vector<std::string> names;
+    for (const CLI::App* command : wanting->get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    return fmt::format("There is no command \"{}\" of {}; there are {}.", word, wanting->get_name(),
+                       fmt::join(names, ", "));
+}
+
 int run(int argc, char** argv) {
     CLI::App app("Toile without a window: check, mesh, sew and convert garment patterns.", "toile-cli");
     app.require_subcommand(1);
@@ -42,6 +62,11 @@ int run(int argc, char** argv) {
     toile::cli::declareCommands(app, stop.get_token(), chosen);
     try {
         app.parse(argc, argv);
+    } catch (const CLI::RequiredError& problem) {
+        const std::string unknown = unknownCommand(app);
+        if (unknown.empty()) (void)app.exit(problem);
+        else toile::batch::printError({toile::ErrorCode::invalidInput, unknown, {}});
+        return toile::batch::usageWrong;
     } catch (const CLI::ParseError& problem) {
         return app.exit(problem) == 0 ? toile::batch::done : toile::batch::usageWrong;
     }

@@ -5,6 +5,7 @@
 #include "core/io/ToileNames.h"
 #include "core/pattern/Ids.h"
 #include "core/pattern/PatternPlacement.h"
+#include "core/simulation/SceneCheck.h"
 
 #include <algorithm>
 #include <cmath>
@@ -289,7 +290,7 @@ simulation::SceneSettings sceneOf(JsonNode& node) {
     scene.bodyFriction = node["bodyFriction"].number(scene.bodyFriction);
     scene.seamTime = node["seamTime"].number(scene.seamTime);
     scene.frameStep = node["frameStep"].number(scene.frameStep);
-    scene.substeps = node["substeps"].integer(scene.substeps, 0, 100'000);
+    scene.substeps = node["substeps"].integer(scene.substeps, 0, simulation::mostSubsteps);
     scene.selfContact = node["selfContact"].truth(scene.selfContact);
     return scene;
 }

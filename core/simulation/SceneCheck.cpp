@@ -10,8 +10,7 @@ namespace {
 
 constexpr double longestFrameStep = 1; // as long as integrators go at once [s]
 constexpr double mostDrag = 10;        // [–]
-constexpr int mostSubsteps = 100'000;
-constexpr double strongestWind = 100; // [m/s]
+constexpr double strongestWind = 100;  // [m/s]
 
 } // namespace
 

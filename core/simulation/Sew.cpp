@@ -124,12 +124,20 @@ void countElements(SewReport& result, const cloth::ClothModel& model) {
     result.clampedCells = model.clampedCells;
 }
 
-void warnOfOpenSeams(SewReport& result) {
-    for (const SeamResult& seam : result.seams)
-        if (!seam.state.merged)
+/// The name of a seam or tack, with its id where others are called the same.
+template <class Named>
+std::string labelAmong(const std::vector<Named>& all, std::size_t which) {
+    const Named& one = all[which];
+    const bool isAlone = std::ranges::count(all, one.name, &Named::name) == 1;
+    return isAlone ? fmt::format("\"{}\"", one.name) : fmt::format("\"{}\" ({})", one.name, one.id.value);
+}
+
+void warnOfOpenSeams(SewReport& result, const pattern::Pattern& pattern) {
+    for (std::size_t i = 0; i < result.seams.size(); ++i)
+        if (!result.seams[i].state.merged)
             result.warnings.push_back(
-                {fmt::format("seam \"{}\"", seam.state.name),
-                 fmt::format("The seam is not closed; its gap is {:.1f} mm.", 1000 * seam.gap.maximum)});
+                {"seam " + labelAmong(pattern.seams, i),
+                 fmt::format("The seam is not closed; its gap is {:.1f} mm.", 1000 * result.seams[i].gap.maximum)});
 }
 
 void listTacks(SewReport& result, const Simulation& simulation) {
@@ -145,11 +153,12 @@ void listFolds(SewReport& result, const Simulation& simulation) {
     result.folds = foldReports(simulation.scene().pattern, garment.model, garment.folds, simulation.state().positions);
 }
 
-void warnOfOpenTacks(SewReport& result) {
-    for (const TackResult& tack : result.tacks)
-        if (!tack.closed)
-            result.warnings.push_back({fmt::format("tack \"{}\"", tack.name),
-                                       fmt::format("The tack is not closed; its gap is {:.1f} mm.", 1000 * tack.gap)});
+void warnOfOpenTacks(SewReport& result, const pattern::Pattern& pattern) {
+    for (std::size_t i = 0; i < result.tacks.size(); ++i)
+        if (!result.tacks[i].closed)
+            result.warnings.push_back(
+                {"tack " + labelAmong(pattern.tacks, i),
+                 fmt::format("The tack is not closed; its gap is {:.1f} mm.", 1000 * result.tacks[i].gap)});
 }
 
 /// One warning for each place, and no more than a reader can look at.
@@ -263,8 +272,8 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
             {simulation.seams()[seam], simulation.seams()[seam].merged ? SeamGap{} : simulation.gapOf(seam)});
     listTacks(result, simulation);
     listFolds(result, simulation);
-    warnOfOpenSeams(result);
-    warnOfOpenTacks(result);
+    warnOfOpenSeams(result, simulation.scene().pattern);
+    warnOfOpenTacks(result, simulation.scene().pattern);
     warnOfCrossedLayers(result, simulation);
     warnOfHeldBackCloth(result, simulation);
     result.phases = simulation.phases();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 
+#include <QTemporaryDir>
+
 using namespace toile;
 
 /// toile-cli check: one line a problem, and an exit status that scripts can rely on.
@@ -13,6 +15,7 @@ private slots:
     void aBrokenDocumentGivesOneLineThatNamesIt();
     void aMissingFileIsSaid();
     void oneBrokenFileAmongSoundOnesIsEnough();
+    void aNameDoesNotBreakTheLine();
     void withoutAFileTheUsageIsWrong();
 
 private:
@@ -61,6 +64,26 @@ void tst_CheckCommand::oneBrokenFileAmongSoundOnesIsEnough() {
         run({"check", sample("two-squares.toile"), sample("broken/truncated.toile"), sample("tube.toile")});
     QCOMPARE(finished.status, 1);
     QCOMPARE(finished.errorLines().size(), 1);
+}
+
+void tst_CheckCommand::aNameDoesNotBreakTheLine() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("names.toile");
+    QByteArray text = contentOf(sample("two-squares.toile"));
+    text.replace("\"name\": \"Left square\"", R"("name": "Left\nRight\u001b[31m \u009b31m Über")");
+    text.replace(text.indexOf("\"x\": -150"), 9, "\"x\": -15e7"); // a problem that names the piece
+    QFile written(file);
+    QVERIFY(written.open(QIODevice::WriteOnly) && written.write(text) == text.size());
+    written.close();
+    const Finished checked = run({"check", file});
+    QVERIFY2(checked.err.contains(R"(Left\nRight\u001b[31m \u009b31m Über)"), qPrintable(checked.err));
+    for (const QString& line : checked.errorLines()) QVERIFY2(line.startsWith(file + ":"), qPrintable(line));
+    for (const QString& command : {QStringLiteral("inspect"), QStringLiteral("mesh")}) {
+        const Finished finished = run({command, file});
+        QVERIFY(!(finished.out + finished.err).contains(QChar(0x1b)));
+        QVERIFY(!(finished.out + finished.err).contains(QChar(0x9b)));
+        QVERIFY((finished.out + finished.err).contains(R"(Left\nRight)"));
+    }
 }
 
 void tst_CheckCommand::withoutAFileTheUsageIsWrong() {

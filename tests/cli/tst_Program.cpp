@@ -15,6 +15,8 @@ private slots:
     void explainsItself();
     void wrongUsage_data();
     void wrongUsage();
+    void aWrongWordIsNamed_data();
+    void aWrongWordIsNamed();
     void tooLittleMemoryIsSaid();
     void anAvatarIsWrittenAndReadBack();
     void anAvatarsNameMayEndInCapitals();
@@ -87,6 +89,25 @@ void tst_Program::tooLittleMemoryIsSaid() {
     const QByteArray said = shell.readAllStandardError();
     QVERIFY2(said.contains("not enough memory"), said.constData());
     QVERIFY(!QFile::exists(in("mesh.obj")));
+}
+
+void tst_Program::aWrongWordIsNamed_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QStringList>("said");
+    QTest::newRow("a command") << QStringList{"frobnicate"}
+                               << QStringList{"\"frobnicate\" of toile-cli", "check, mesh"};
+    QTest::newRow("a study") << QStringList{"study", "bogus"} << QStringList{"\"bogus\" of study", "accuracy, regions"};
+    QTest::newRow("an option") << QStringList{"--loud"} << QStringList{"\"--loud\" of toile-cli"};
+    QTest::newRow("too many substeps") << QStringList{"sew", sample("tube.toile"), "--substeps", "1000000"}
+                                       << QStringList{"1000000", "1 to 100000"};
+}
+
+void tst_Program::aWrongWordIsNamed() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QStringList, said);
+    const Finished finished = run(arguments);
+    QCOMPARE(finished.status, 2);
+    for (const QString& words : said) QVERIFY2(finished.err.contains(words), qPrintable(finished.err));
 }
 
 void tst_Program::anAvatarIsWrittenAndReadBack() {

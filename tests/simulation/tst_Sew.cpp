@@ -50,6 +50,7 @@ private slots:
     void progressRises();
     void energiesAreThoseOfTheState();
     void anOpenSeamIsWarnedOf();
+    void openSeamsOfOneNameAreToldApart();
     void cellsThatCutTheBodyAreWarnedOf();
 };
 
@@ -190,6 +191,24 @@ void tst_Sew::anOpenSeamIsWarnedOf() {
     const Json& seam = json.find("seams")->asArray()->front();
     QVERIFY(seam.find("gapAtMergeMaximum")->isNull());
     QVERIFY(*seam.find("maximumGap")->asNumber() > 0.1);
+}
+
+void tst_Sew::openSeamsOfOneNameAreToldApart() {
+    Scene scene = twoSquares(0.05);
+    pattern::Seam above = scene.pattern.seams[0];
+    above.id = pattern::SeamId("above");
+    for (auto& side : above.sides) { // the edges after those that are sewn already, at both pieces
+        const pattern::Piece& piece = *pattern::findPiece(scene.pattern, side[0].piece);
+        const auto& edges = piece.outline.edges;
+        const auto sewn = std::ranges::find(edges, side[0].edge, &pattern::Edge::id);
+        side[0].edge = sewn + 1 == edges.end() ? edges.front().id : (sewn + 1)->id;
+    }
+    scene.pattern.seams.push_back(above);
+    const SewReport report = sewn(scene, {.seconds = 0.1});
+    const std::string id = scene.pattern.seams[0].id.value;
+    QCOMPARE(report.warnings.size(), std::size_t(2));
+    QCOMPARE(report.warnings[0].place, "seam \"middle\" (" + id + ")");
+    QCOMPARE(report.warnings[1].place, std::string("seam \"middle\" (above)"));
 }
 
 /// Cells of 30 mm over the sharp edge of a table: their particles stay 3 mm off.
