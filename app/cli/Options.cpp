@@ -120,7 +120,7 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     command
         ->add_option_function<double>(
             "--step", [options](const double& value) { options->step = value; }, "frame step [s]")
-        ->check(numberFrom(1e-4, 0.1));
+        ->check(numberFrom(simulation::shortestFrameStep, simulation::longestFrameStep));
     command
         ->add_option_function<std::string>(
             "--substeps",

@@ -22,8 +22,11 @@ Result<MembraneStiffness> membraneStiffness(const Fabric& fabric, double c12) {
     const double product = fabric.warpStiffness * fabric.weftStiffness, q = c12 * c12;
     if (product <= 0) {
         if (q > 0)
-            return fail(ErrorCode::invalidInput,
-                        "A fabric without tensile stiffness cannot have a coupling of warp and weft.", placeOf(fabric));
+            return fail(
+                ErrorCode::invalidInput,
+                "A fabric that does not resist stretching along warp and weft cannot have a coupling of the two, "
+                "nor shear stiffness if it is woven.",
+                placeOf(fabric));
         return MembraneStiffness{fabric.weftStiffness, fabric.warpStiffness, 0, fabric.shearStiffness};
     }
     const double r = 0.5 * (1 + std::sqrt(1 + 4 * q / product));

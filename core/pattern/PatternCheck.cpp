@@ -140,6 +140,16 @@ std::set<PieceId> checkPieces(const Pattern& pattern, std::vector<Problem>& all)
     return unsound;
 }
 
+/// Springs of woven cloth are coupled by its shear stiffness; membrane cells, which it gets where these would be
+/// negative, by its own coupling.
+void checkStiffness(const Fabric& fabric, Problems& problems) {
+    if (const auto cells = material::membraneStiffness(fabric, fabric.coupling); !cells)
+        return problems.error("coupling", cells.error().text);
+    if (fabric.kind == material::FabricKind::knit) return;
+    if (const auto springs = material::membraneStiffness(fabric, fabric.shearStiffness); !springs)
+        problems.error("shearStiffness", springs.error().text);
+}
+
 void checkFabrics(const Pattern& pattern, std::vector<Problem>& all) {
     Unique<FabricId> ids;
     for (std::size_t i = 0; i < pattern.fabrics.size(); ++i) {
@@ -147,8 +157,7 @@ void checkFabrics(const Pattern& pattern, std::vector<Problem>& all) {
         Problems problems(all, fmt::format("fabrics[{}]", i), fmt::format("fabric \"{}\"", fabric.name));
         ids.check(fabric.id, "", problems);
         if (const auto ok = material::checked(fabric); !ok) problems.error(ok.error().place.path, ok.error().text);
-        else if (const auto stiff = material::membraneStiffness(fabric, fabric.coupling); !stiff)
-            problems.error("coupling", stiff.error().text);
+        else checkStiffness(fabric, problems);
     }
 }
 

@@ -8,9 +8,8 @@ namespace toile::simulation {
 
 namespace {
 
-constexpr double longestFrameStep = 1; // as long as integrators go at once [s]
-constexpr double mostDrag = 10;        // [–]
-constexpr double strongestWind = 100;  // [m/s]
+constexpr double mostDrag = 10;       // [–]
+constexpr double strongestWind = 100; // [m/s]
 
 } // namespace
 
@@ -41,8 +40,9 @@ std::vector<pattern::Problem> checkScene(const SceneSettings& scene) {
         if (!std::isfinite(f.value) || f.value < 0 || (f.value == 0 && !f.zeroAllowed))
             add(f.path,
                 fmt::format("Expected a number {} 0, but found {}.", f.zeroAllowed ? "of at least" : "above", f.value));
-    if (scene.frameStep > longestFrameStep)
-        add("scene.frameStep", fmt::format("Expected at most {} s, but found {}.", longestFrameStep, scene.frameStep));
+    if (scene.frameStep > 0 && !(scene.frameStep >= shortestFrameStep && scene.frameStep <= longestFrameStep))
+        add("scene.frameStep", fmt::format("Expected between {} and {} s, but found {}.", shortestFrameStep,
+                                           longestFrameStep, scene.frameStep));
     if (scene.substeps < 0 || scene.substeps > mostSubsteps)
         add("scene.substeps",
             fmt::format("Expected between 0 and {} substeps, but found {}.", mostSubsteps, scene.substeps));
