@@ -194,7 +194,7 @@ ArcLength::ArcLength(const Curve& curve) : curve_(curve) {
 double ArcLength::parameterAt(double fraction) const {
     if (fraction <= 0) return 0;
     if (fraction >= 1) return 1;
-    if (intervals_ == 1) return fraction;
+    if (intervals_ == 1 || !(total() > 0)) return fraction;
     const double wanted = fraction * total();
     const auto above = std::upper_bound(lengths_.begin(), lengths_.end(), wanted);
     const auto i = static_cast<std::size_t>(above - lengths_.begin()) - 1;

@@ -201,11 +201,10 @@ void addFeatures(const PieceInput& piece, const PieceBoundary& boundary, std::sp
             const Vec2 in = geometry::tangentAt(curve, 1), out = geometry::tangentAt(next, 0);
             if (dot(in, out) < sharp * length(in) * length(out))
                 wishes.push_back({along(boundary.frame.frameOf(curve.end), axis), 2});
+            const EdgeArc& edge = boundary.loops[static_cast<std::size_t>(loop)].edges[e];
+            if (edge.collapsed) continue;
             for (const double notch : edges[e].notches)
-                wishes.push_back({along(boundary.frame.frameOf(
-                                            boundary.loops[static_cast<std::size_t>(loop)].edges[e].arc.pointAt(notch)),
-                                        axis),
-                                  1});
+                wishes.push_back({along(boundary.frame.frameOf(edge.arc.pointAt(notch)), axis), 1});
         }
     }
     for (const Vec2 end : seamEnds) wishes.push_back({along(end, axis), 1});

@@ -29,6 +29,7 @@ private slots:
     void arcLengthAndParameterAreInverse_data() { addCurves(); }
     void arcLengthAndParameterAreInverse();
     void aHandleOnItsEndPointStillHasATangent();
+    void aCurveWithoutLengthHasItsFractions();
     void aStraightArcIsALine();
     void anEnormousCurveIsFlattenedInFiniteTime();
 
@@ -168,6 +169,16 @@ void tst_Curve::arcLengthAndParameterAreInverse() {
 void tst_Curve::aHandleOnItsEndPointStillHasATangent() {
     const Curve curve{{0, 0}, {0.1, 0}, CubicShape{{0, 0}, {0.05, 0.1}}};
     QVERIFY(std::abs(cross(normalized(tangentAt(curve, 0)), normalized(Vec2{0.05, 0.1}))) < 1e-12);
+}
+
+void tst_Curve::aCurveWithoutLengthHasItsFractions() {
+    const Vec2 point{0.3, -0.1};
+    for (const EdgeShape& shape :
+         {EdgeShape{LineShape{}}, EdgeShape{ArcShape{0.5}}, EdgeShape{CubicShape{point, point}}}) {
+        const ArcLength arc({point, point, shape});
+        QCOMPARE(arc.parameterAt(0.4), 0.4);
+        QVERIFY(distance(arc.pointAt(0.4), point) < 1e-15);
+    }
 }
 
 void tst_Curve::aStraightArcIsALine() {

@@ -21,6 +21,7 @@ private slots:
     void aScaledPieceHasTheSameMesh();
     void isRefused_data();
     void isRefused();
+    void aNotchOnASpikeLaysNoLine();
     void aNarrowPieceHasOneRow();
     void anEdgeOnAScanLineIsFilledToIt();
     void aLargeEstimateIsRefusedBeforeMemoryIsTaken();
@@ -288,6 +289,18 @@ void tst_HardInputs::isRefused() {
     QFETCH(PieceInput, piece);
     QFETCH(QString, words);
     compareError(meshGarment(inputOf(piece)), "piece \"" + piece.label + "\"", words.toStdString());
+}
+
+void tst_HardInputs::aNotchOnASpikeLaysNoLine() {
+    PieceInput plain =
+        polygonPiece({{0, 0}, {0.2, 0}, {0.2, 0.2}, {0.1, 0.2}, {0.1, 0.13}, {0.1, 0.2}, {0, 0.2}}, 0.02);
+    plain.rule = LineRule::features;
+    PieceInput notched = plain; // at a height of 174 mm, between two lines
+    notched.outline[3].notches = {0.37};
+    const auto expected = meshGarment(inputOf(plain)), found = meshGarment(inputOf(notched));
+    QVERIFY(expected && found);
+    QVERIFY(found->pieces[0].nodes == expected->pieces[0].nodes);
+    QCOMPARE(QString::fromStdString(defectOf(found->pieces[0])), QString());
 }
 
 void tst_HardInputs::aNarrowPieceHasOneRow() {
