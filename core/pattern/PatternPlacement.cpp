@@ -82,7 +82,11 @@ Placement mirrored(const Placement& placement) {
     const auto opposite = [](const Vec3& v) { return Vec3{-v.x, v.y, v.z}; };
     const Transform& t = placement.transform;
     Placement result{{opposite(-t.axisX), opposite(t.axisY), opposite(t.axisZ), opposite(t.origin)}, placement.curl};
-    if (result.curl) result.curl->axis.x = -result.curl->axis.x;
+    if (result.curl) {
+        result.curl->axis.x = -result.curl->axis.x;
+        if (result.curl->bent)
+            for (Vec3& point : result.curl->bent->points) point.x = -point.x;
+    }
     return result;
 }
 

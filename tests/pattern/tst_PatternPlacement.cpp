@@ -3,6 +3,7 @@
 
 #include <QTest>
 #include <cmath>
+#include <optional>
 
 using namespace toile;
 using namespace toile::pattern;
@@ -17,15 +18,16 @@ private slots:
 };
 
 void tst_PatternPlacement::aMirroredPlacementLiesOpposite_data() {
-    QTest::addColumn<bool>("curled");
-    QTest::newRow("flat") << false;
-    QTest::newRow("curled about a slanting axis") << true;
+    QTest::addColumn<std::optional<Curl>>("curl");
+    QTest::newRow("flat") << std::optional<Curl>();
+    QTest::newRow("curled about a slanting axis") << std::optional(Curl{normalized(Vec2{0.3, 1}), 0.2});
+    QTest::newRow("rolled along a bent line")
+        << std::optional(Curl{{0, 1}, 0.1, BentLine{-0.1, {{0, -0.1, 0}, {0, 0.05, 0}, {0.06, 0.15, -0.03}}}});
 }
 
 void tst_PatternPlacement::aMirroredPlacementLiesOpposite() {
-    QFETCH(bool, curled);
-    Placement placement{{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, {0.3, 1.1, 0.05}}, {}}; // at the left, facing left
-    if (curled) placement.curl = Curl{normalized(Vec2{0.3, 1}), 0.2};
+    QFETCH(std::optional<Curl>, curl);
+    const Placement placement{{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, {0.3, 1.1, 0.05}}, curl}; // at the left, facing left
     const Placement image = mirrored(placement);
     QVERIFY(isRigid(image.transform));
     for (const Vec2 p : {Vec2{0, 0}, {0.1, 0.2}, {-0.15, 0.05}}) {
