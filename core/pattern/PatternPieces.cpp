@@ -64,6 +64,8 @@ Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Ve
     image.fabric = original->fabric;
     image.interfacing = original->interfacing;
     image.plies = original->plies;
+    image.layer = original->layer;
+    image.pressure = original->pressure;
     image.spacing = original->spacing;
     image.seamAllowance = original->seamAllowance;
     image.rule = original->rule;

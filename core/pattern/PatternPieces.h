@@ -13,7 +13,8 @@ constexpr double mostPressure = 10'000; ///< [Pa]
 
 /// Adds a piece that has its id (IdSource, contourThrough). Error when the id is taken or the outline is empty.
 [[nodiscard]] Result<Pattern> addPiece(const Pattern& pattern, Piece piece);
-/// Adds a mirror image: it follows every edit of its source. The line goes through two points of the source [m].
+/// Adds a mirror image: its shape follows every edit of its source; fabric, interfacing, plies, layer and pressure are
+/// its own and begin as the source's. The line goes through two points of the source [m].
 [[nodiscard]] Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Vec2 lineStart,
                                              Vec2 lineEnd, std::string name, IdSource& ids);
 /// Adds a copy that goes its own way, with ids of its own and without seams, pins and tacks. A copy of a mirror image

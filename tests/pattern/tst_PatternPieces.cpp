@@ -27,6 +27,7 @@ private slots:
     void cornersOfARectangleAreRight();
     void aCornerIsMeasuredOnTheSideOfTheCloth();
     void aMirrorImageIsCongruentAndCounterClockwise();
+    void aMirrorImageBeginsAsItsSource();
     void aStretchedPlacementIsRefused();
     void aMovedPlacementCarriesItsPoints();
     void aCurledPieceKeepsItsLengths();
@@ -148,6 +149,20 @@ void tst_PatternPieces::aMirrorImageIsCongruentAndCounterClockwise() {
     QVERIFY(geometry::distance(b.front(), {-a.front().x, a.front().y}) < 1e-15);
     const geometry::ArcLength along(curveOf(seen, *findEdge(seen, EdgeId("right")))); // runs the other way
     QVERIFY(geometry::distance(along.pointAt(0.8), b.front()) < 1e-11);
+}
+
+void tst_PatternPieces::aMirrorImageBeginsAsItsSource() {
+    Pattern pattern = *setLayer(tests::twoPanels(), back, 2);
+    pattern = *setPressure(pattern, back, -20);
+    pattern = *setPlies(pattern, back, 2);
+    pattern = *setInterfacing(pattern, back, Interfacing{});
+    IdSource ids{firstFreeNumber(pattern)};
+    const Pattern mirroredBack = *addMirrorPiece(pattern, back, {0, 0}, {0, 1}, "other back", ids);
+    const Piece &source = *findPiece(mirroredBack, back), &other = *mirroredBack.pieces.back();
+    QCOMPARE(other.layer, 2);
+    QCOMPARE(other.pressure, -20.0);
+    QCOMPARE(other.plies, 2);
+    QVERIFY(other.interfacing == source.interfacing && other.fabric == source.fabric);
 }
 
 void tst_PatternPieces::aStretchedPlacementIsRefused() {
