@@ -120,6 +120,11 @@ Result<Edited> deletePiece(const Pattern& pattern, const PieceId& piece) {
         if (touches(seam)) edited.warnings.push_back({toString(placeOf(seam)), why});
     for (const Tack& tack : pattern.tacks)
         if (isHeld(tack)) edited.warnings.push_back({toString(placeOf(tack)), why});
+    for (const Pin& pin : pattern.pins)
+        if (isGone(pin.piece))
+            edited.warnings.push_back(
+                {fmt::format("{}, pin \"{}\"", toString(placeOf(*findPiece(pattern, pin.piece))), pin.vertex.value),
+                 why});
     std::erase_if(edited.pattern.pieces, [&](const auto& other) { return isGone(other->id); });
     std::erase_if(edited.pattern.seams, touches);
     std::erase_if(edited.pattern.pins, [&](const Pin& pin) { return isGone(pin.piece); });

@@ -80,7 +80,8 @@ void tst_PatternPieces::aDeletedPieceTakesImagesSeamsAndPinsAlong() {
     QVERIFY(edited);
     QCOMPARE(edited->pattern.pieces.size(), std::size_t(1));
     QVERIFY(edited->pattern.seams.empty() && edited->pattern.pins.empty());
-    QCOMPARE(edited->warnings.size(), std::size_t(3)); // the image and two seams
+    QCOMPARE(edited->warnings.size(), std::size_t(4)); // the image, two seams and the pin
+    QCOMPARE(edited->warnings[3].place, std::string("piece \"front\", pin \"v3\""));
     QVERIFY(!hasErrors(checkPattern(edited->pattern)));
 }
 

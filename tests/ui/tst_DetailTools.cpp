@@ -30,6 +30,7 @@ private Q_SLOTS:
     void cornersCutAHole();
     void aHoleReachesNotBeyondItsPiece();
     void theEdgeSheetDeletesAHole();
+    void whatGoesWithAHoleIsNamed();
 
     void theVertexSheetPins();
 
@@ -37,6 +38,7 @@ private Q_SLOTS:
     void besideThePiecesNothingIsTacked();
     void anEndIsDragged();
     void deleteTakesATackOut();
+    void whatGoesWithAPieceIsNamed();
     void onAnImageATackCountsInTheImage();
     void theSheetMakesAButton();
 };
@@ -196,6 +198,25 @@ void tst_DetailTools::theEdgeSheetDeletesAHole() {
     QVERIFY(hand.piece(0).holes.empty());
 }
 
+void tst_DetailTools::whatGoesWithAHoleIsNamed() {
+    CutHole tool;
+    Hand hand{twoRectangles()};
+    for (const Vec2 corner : holeCorners) hand.click(tool, corner);
+    hand.key(tool, ToolKey::enter);
+    const EdgeRef edge{hand.piece(0).id, hand.piece(0).holes[0].edges[2].id};
+    hand.document.pattern.seams.push_back(
+        {pattern::SeamId("s90"),
+         "pocket",
+         {{{{hand.piece(0).id, edge.edge}}, {{hand.piece(1).id, edgeOf(hand, 0).edge}}}}});
+    hand.feed([&](const Desk& desk) {
+        const PropertySheet sheet = edgeSheet(desk, edge);
+        const auto row = std::ranges::find(sheet.rows, QStringLiteral("removeHole"), &PropertyRow::name);
+        return effectOf(row->label, std::get<ActionRow>(row->content), desk.document);
+    });
+    QVERIFY(hand.piece(0).holes.empty());
+    QCOMPARE(hand.message, QStringLiteral("seam \"pocket\": it is gone with the hole that it ran along."));
+}
+
 void tst_DetailTools::theVertexSheetPins() {
     Hand hand{twoRectangles()};
     const VertexRef corner{hand.piece(1).id, hand.piece(1).outline.vertices[2].id};
@@ -258,6 +279,18 @@ void tst_DetailTools::deleteTakesATackOut() {
     QCOMPARE(hand.document.pattern.tacks.size(), std::size_t(1));
     hand.key(tool, ToolKey::erase);
     QVERIFY(hand.document.pattern.tacks.empty());
+}
+
+void tst_DetailTools::whatGoesWithAPieceIsNamed() {
+    SetTacks tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0, 0});
+    hand.click(tool, {0.3, 0});
+    hand.document.pattern.tacks[0].name = "button";
+    hand.selection = {hand.piece(1).id};
+    hand.key(tool, ToolKey::erase);
+    QVERIFY(hand.document.pattern.tacks.empty());
+    QCOMPARE(hand.message, QStringLiteral("tack \"button\": it is gone with the piece \"Back\"."));
 }
 
 void tst_DetailTools::onAnImageATackCountsInTheImage() {

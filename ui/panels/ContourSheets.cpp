@@ -5,6 +5,7 @@
 #include "core/pattern/PatternRegions.h"
 #include "ui/panels/SheetEdits.h"
 #include "ui/values/Picking.h"
+#include "ui/values/Remarks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,12 +114,16 @@ PropertySheet edgeSheet(const Desk& desk, const EdgeRef& ref) {
                            return setEdgeSeamAllowance(p, id, ref.edge, value);
                        })}});
     addNotchRows(sheet, *owner, ref.edge);
-    if (place->loop > 0)
+    if (const auto hole = static_cast<std::size_t>(place->loop - 1); place->loop > 0)
         sheet.rows.push_back(
             {QStringLiteral("removeHole"), tr("Delete hole"),
-             ActionRow{setting([id, hole = static_cast<std::size_t>(place->loop - 1)](const Pattern& p) {
-                 return deleteHole(p, id, hole).map([](Edited edited) { return std::move(edited.pattern); });
-             })}});
+             ActionRow{setting([id, hole](const Pattern& p) {
+                           return deleteHole(p, id, hole).map([](Edited edited) { return std::move(edited.pattern); });
+                       }),
+                       [id, hole](const Document& document) {
+                           const auto edited = deleteHole(document.pattern, id, hole);
+                           return edited ? remarksOf(edited->warnings) : QString();
+                       }}});
     return sheet;
 }
 

@@ -166,9 +166,11 @@ QWidget* PropertyEditor::widgetFor(std::size_t row) {
             },
             [&](const ActionRow&) -> QWidget* {
                 auto* button = new QPushButton(sheet_.rows[row].label);
-                connect(button, &QPushButton::clicked, this, change([this](const PropertyRow& p, bool) {
-                            return std::get<ActionRow>(p.content).act(workbench_.document());
-                        }));
+                connect(button, &QPushButton::clicked, this, [this, row] {
+                    if (row >= sheet_.rows.size()) return;
+                    const PropertyRow& p = sheet_.rows[row];
+                    take(effectOf(p.label, std::get<ActionRow>(p.content), workbench_.document()));
+                });
                 return button;
             },
             [&](const HeadingRow&) -> QWidget* { return nullptr; },
@@ -230,7 +232,10 @@ void PropertyEditor::fillIn(Rows rows) {
 void PropertyEditor::apply(std::size_t row, const DocumentResult& result) {
     const PropertyRow& property = sheet_.rows[row];
     const QString name = property.label.isEmpty() ? sheet_.title : property.label;
-    const Effect effect = effectOf(name, result);
+    take(effectOf(name, result));
+}
+
+void PropertyEditor::take(const Effect& effect) {
     if (effect.edit && effect.edit->after == workbench_.document()) return;
     workbench_.take(effect);
     if (!effect.edit) refresh(); // back to what holds

@@ -32,6 +32,7 @@ private:
     [[nodiscard]] QWidget* widgetFor(std::size_t row);
     void leaveTheWheel(QWidget& field);
     void apply(std::size_t row, const DocumentResult& result);
+    void take(const Effect& effect);
 
     Workbench& workbench_;
     PropertySheet sheet_;

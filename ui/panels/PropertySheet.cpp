@@ -32,6 +32,12 @@ struct SheetOf {
 
 } // namespace
 
+Effect effectOf(const QString& name, const ActionRow& action, const document::Document& document) {
+    Effect effect = effectOf(name, action.act(document));
+    if (effect.edit && action.losses) effect.message = action.losses(document);
+    return effect;
+}
+
 PropertySheet sheetOf(const Desk& desk, const meshing::MeshReport& mesh) {
     const Selection selection = existing(desk.selection, desk.document.pattern);
     if (selection.empty()) return sceneSheet(desk.document);

@@ -44,6 +44,7 @@ struct FactRow {
 /// A button.
 struct ActionRow {
     std::function<DocumentResult(const document::Document&)> act;
+    std::function<QString(const document::Document&)> losses = {}; ///< that go with it, for the status line
 };
 /// Begins a group.
 struct HeadingRow {};
@@ -60,6 +61,9 @@ struct PropertySheet {
     QString title;
     std::vector<PropertyRow> rows;
 };
+
+/// What pressing a button does; what goes with it is told.
+[[nodiscard]] Effect effectOf(const QString& name, const ActionRow& action, const document::Document& document);
 
 /// The sheet of the last selected thing; of the scene when nothing is selected.
 [[nodiscard]] PropertySheet sheetOf(const Desk& desk, const meshing::MeshReport& mesh);

@@ -8,6 +8,7 @@
 #include "core/pattern/PatternRegions.h"
 #include "core/pattern/PatternSeams.h"
 #include "core/pattern/PatternTacks.h"
+#include "ui/values/Remarks.h"
 #include "ui/values/ShapeOwner.h"
 
 #include <QCoreApplication>
@@ -54,8 +55,7 @@ struct Without {
 
     Result<Pattern> remarked(Result<Edited> edited) const {
         if (!edited) return tl::unexpected(edited.error());
-        for (const Warning& warning : edited->warnings)
-            remarks += QString::fromStdString(warning.text) + QLatin1Char(' ');
+        remarks += remarksOf(edited->warnings) + QLatin1Char(' ');
         return std::move(edited->pattern);
     }
 };

@@ -109,8 +109,8 @@ void MainWindow::showMenu(const Selection& under, QPoint globalPosition) {
         for (const PropertyRow& row : sheet.rows) {
             const auto* action = std::get_if<ActionRow>(&row.content);
             if (!action) continue;
-            menu.addAction(QStringLiteral("    ") + row.label, this, [this, act = action->act, label = row.label] {
-                workbench_.take(effectOf(label, act(workbench_.document())));
+            menu.addAction(QStringLiteral("    ") + row.label, this, [this, act = *action, label = row.label] {
+                workbench_.take(effectOf(label, act, workbench_.document()));
             });
         }
     }
