@@ -99,6 +99,9 @@ void rewriteAfterJoin(Pattern& pattern, const PieceId& piece, const EdgeId& edge
                 part.from = part.from == 0 ? start : start + part.from * share;
                 part.to = part.to == 1 ? (isAfter ? 1 : fraction) : start + part.to * share;
             }
+            std::erase_if(side, [&](const SeamPart& part) { // of an edge between two points on one another
+                return part.from >= part.to && liesOn(pattern, part, piece, edge);
+            });
             mergeNeighbours(side, edge);
         }
     changePlaces(pattern, piece, [&](EdgeId& at, double& position) {

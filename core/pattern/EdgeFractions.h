@@ -11,7 +11,8 @@ namespace toile::pattern {
 /// `edge` was split at the fraction; its second part is called `after`.
 void rewriteAfterSplit(Pattern& pattern, const PieceId& piece, const EdgeId& edge, const EdgeId& after,
                        double fraction);
-/// `edge` and `after` became one edge called `edge`, their joint now lies at the fraction.
+/// `edge` and `after` became one edge called `edge`, their joint now lies at the fraction. Parts of a seam that had no
+/// length are left out, so that a side may be empty.
 void rewriteAfterJoin(Pattern& pattern, const PieceId& piece, const EdgeId& edge, const EdgeId& after, double fraction);
 
 /// The part lies on this edge of the piece, or of a mirror image of it.

@@ -45,7 +45,7 @@ std::optional<ArcShape> joinedArc(const Curve& a, const Curve& b) {
 CubicShape joinedCubic(const Curve& a, const Curve& b) {
     const CubicShape first = cubicOf(a), second = cubicOf(b);
     const double in = geometry::distance(first.control2, a.end), out = geometry::distance(b.start, second.control1);
-    const double t = in + out > 0 ? in / (in + out) : geometry::length(a) / (geometry::length(a) + geometry::length(b));
+    const double t = in + out > 0 ? in / (in + out) : jointOf(a, b);
     const double share = std::clamp(t, 0.05, 0.95); // a tiny part must not throw the handle far away
     return {a.start + (first.control1 - a.start) / share, b.end + (second.control2 - b.end) / (1 - share)};
 }
@@ -57,6 +57,11 @@ Curve joinedCurve(const Curve& a, const Curve& b) {
         return {a.start, b.end, LineShape{}};
     if (const auto arc = joinedArc(a, b)) return {a.start, b.end, *arc};
     return {a.start, b.end, joinedCubic(a, b)};
+}
+
+double jointOf(const Curve& a, const Curve& b) {
+    const double before = geometry::length(a), after = geometry::length(b);
+    return before + after > 0 ? before / (before + after) : 0.5;
 }
 
 bool sameCourse(const Curve& joined, const Curve& a, const Curve& b, double fraction) {

@@ -67,6 +67,15 @@ std::vector<Warning> warnOfSeams(const Pattern& pattern, Predicate touches, cons
     return warnings;
 }
 
+/// A side that ran along an edge without length alone is no side.
+void dropOneSidedSeams(Edited& edited) {
+    std::erase_if(edited.pattern.seams, [&](const Seam& seam) {
+        const bool gone = std::ranges::any_of(seam.sides, [](const auto& side) { return side.empty(); });
+        if (gone) edited.warnings.push_back({toString(placeOf(seam)), "it is gone: one side of it had no length."});
+        return gone;
+    });
+}
+
 /// Pins of vertices that a piece, and so its mirror images, no longer have.
 void dropPins(Edited& edited, const PieceId& piece, std::span<const VertexId> gone) {
     const auto pins = std::erase_if(edited.pattern.pins, [&](const Pin& pin) {
@@ -194,6 +203,7 @@ Result<Edited> deleteVertex(const Pattern& pattern, const PieceId& piece, const 
     EdgeId kept, gone;
     double fraction = 0;
     bool moved = false;
+    std::vector<Warning> narrowed;
     auto next = changedShape(pattern, piece, [&](Piece& p) -> Result<void> {
         const auto at = vertexIn(p, vertex);
         if (!at) return tl::unexpected<Error>(at.error());
@@ -204,10 +214,19 @@ Result<Edited> deleteVertex(const Pattern& pattern, const PieceId& piece, const 
         const std::size_t in = before(contour, at->index);
         const Curve a = curveOf(contour, in), b = curveOf(contour, at->index);
         const Curve joined = joinedCurve(a, b);
-        fraction = geometry::length(a) / (geometry::length(a) + geometry::length(b));
+        fraction = jointOf(a, b);
         moved = !sameCourse(joined, a, b, fraction);
         kept = contour.edges[in].id;
         gone = contour.edges[at->index].id;
+        const auto allowanceOf = [&](std::size_t i) {
+            return contour.edges[i].seamAllowance.value_or(p.seamAllowance);
+        };
+        if (const double first = allowanceOf(in), second = allowanceOf(at->index); first != second)
+            narrowed.push_back(
+                {toString(placeOf(p)),
+                 fmt::format("the edges at the deleted point had seam allowances of {:.1f} and {:.1f} mm; "
+                             "the one they are joined to has the first.",
+                             1000 * first, 1000 * second)});
         contour.edges[in].shape = joined.shape;
         contour.vertices.erase(contour.vertices.begin() + static_cast<std::ptrdiff_t>(at->index));
         contour.edges.erase(contour.edges.begin() + static_cast<std::ptrdiff_t>(at->index));
@@ -222,7 +241,9 @@ Result<Edited> deleteVertex(const Pattern& pattern, const PieceId& piece, const 
                 return liesOn(pattern, part, piece, kept) || liesOn(pattern, part, piece, gone);
             },
             "its course has changed with the deleted point.");
+    edited.warnings.insert(edited.warnings.end(), narrowed.begin(), narrowed.end());
     rewriteAfterJoin(edited.pattern, piece, kept, gone, fraction);
+    dropOneSidedSeams(edited);
     dropPins(edited, piece, std::span(&vertex, 1));
     return edited;
 }

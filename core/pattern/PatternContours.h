@@ -41,7 +41,8 @@ enum class Handle { first, second };
                                            double fraction, IdSource& ids);
 /// Joins the two edges at a vertex into one, which keeps the first one's id: the curve both were split from where there
 /// is one, else one with the same end tangents. Seams and notches are rewritten; pins of the vertex are dropped.
-/// A warning names each seam whose course has changed.
+/// A warning names each seam whose course has changed, or that is gone because a side of it ran along an edge without
+/// length only, and a seam allowance that the second edge had of its own.
 [[nodiscard]] Result<Edited> deleteVertex(const Pattern& pattern, const PieceId& piece, const VertexId& vertex);
 
 /// Cuts a hole; it is turned to run clockwise.

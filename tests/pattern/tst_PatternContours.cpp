@@ -2,9 +2,11 @@
 #include "core/pattern/PatternContours.h"
 
 #include "core/pattern/PatternMeasures.h"
+#include "tests/pattern/ErrorsOf.h"
 #include "tests/pattern/TwoPanels.h"
 
 #include <QTest>
+#include <algorithm>
 #include <numbers>
 
 using namespace toile;
@@ -28,6 +30,11 @@ private slots:
     void deletingAnInsertedVertexGivesBackThePattern();
     void deletingTheFirstVertexJoinsTheEdgesAroundIt();
     void deletingACornerWarnsOfItsSeams();
+    void deletingADoubledPointKeepsItsSeams_data();
+    void deletingADoubledPointKeepsItsSeams();
+    void aSeamAlongNoLengthGoesWithTheDoubledPoint();
+    void threePointsOnOneAreJoinedToTwo();
+    void joinedEdgesOfDifferentAllowancesAreNamed();
     void threePointsCannotBecomeTwo();
     void aLineBecomesACurveByItsHandle();
     void theCubicOfAnArcMeetsItsMiddle();
@@ -38,7 +45,7 @@ private slots:
 
 namespace {
 
-const PieceId front("front");
+const PieceId front("front"), back("back");
 constexpr double rounding = 1e-12; // [m]
 
 std::vector<Vec2> seamPoints(const Pattern& pattern, const Seam& seam, std::size_t side) {
@@ -46,6 +53,13 @@ std::vector<Vec2> seamPoints(const Pattern& pattern, const Seam& seam, std::size
     for (const SeamPart& part : seam.sides[side])
         for (const Vec2 p : partPoints(pattern, part, 1e-6)) points.push_back(p);
     return points;
+}
+
+/// The back's corner v3 is two points on one another, 2 and 3 of its outline; the edge between them is without length.
+Pattern withDoubledCorner() {
+    IdSource ids{60};
+    Pattern pattern = *insertVertex(tests::twoPanels(), back, EdgeId("top"), 0.5, ids);
+    return *moveVertex(pattern, back, pattern.pieces[1]->outline.vertices[3].id, {0.3, 0.4});
 }
 
 Pattern withEdgeShape(const EdgeShape& shape) {
@@ -229,6 +243,66 @@ void tst_PatternContours::deletingACornerWarnsOfItsSeams() {
     QCOMPARE(edited->warnings.size(), std::size_t(2)); // the seam along the right edge, and the pin
     QCOMPARE(edited->warnings[0].place, std::string("seam \"right side\""));
     QVERIFY(edited->pattern.pins.empty());
+}
+
+void tst_PatternContours::deletingADoubledPointKeepsItsSeams_data() {
+    QTest::addColumn<std::size_t>("deleted");
+    QTest::newRow("the first of the two") << std::size_t(2);
+    QTest::newRow("the second of the two") << std::size_t(3);
+}
+
+void tst_PatternContours::deletingADoubledPointKeepsItsSeams() {
+    QFETCH(std::size_t, deleted);
+    const Pattern doubled = withDoubledCorner();
+    const Contour& contour = doubled.pieces[1]->outline;
+    Pattern pattern = doubled; // the edge between the two points is sewn with the edge before it
+    pattern.seams[1].sides[1].insert(pattern.seams[1].sides[1].begin(), {back, contour.edges[2].id, 0, 1, true});
+    const auto edited = deleteVertex(pattern, back, contour.vertices[deleted].id);
+    QVERIFY(edited && tests::errorsOf(edited->pattern).empty());
+    QCOMPARE(edited->pattern.seams.size(), pattern.seams.size());
+    const auto& side = edited->pattern.seams[1].sides[1];
+    QCOMPARE(side.size(), std::size_t(1));
+    QVERIFY(side[0].from == 0 && side[0].to == 1);
+}
+
+void tst_PatternContours::aSeamAlongNoLengthGoesWithTheDoubledPoint() {
+    Pattern pattern = withDoubledCorner();
+    const Contour& contour = pattern.pieces[1]->outline;
+    pattern.seams = {{SeamId("s3"), "nothing", {{{{back, contour.edges[2].id}}, {{front, EdgeId("bottom")}}}}}};
+    for (const std::size_t deleted : {std::size_t(2), std::size_t(3)}) {
+        const auto edited = deleteVertex(pattern, back, contour.vertices[deleted].id);
+        QVERIFY(edited && edited->pattern.seams.empty());
+        QCOMPARE(edited->warnings.back().place, std::string("seam \"nothing\""));
+    }
+}
+
+void tst_PatternContours::threePointsOnOneAreJoinedToTwo() {
+    for (const EdgeShape& shape :
+         {EdgeShape{geometry::LineShape{}}, EdgeShape{geometry::CubicShape{{0.3, 0.4}, {0.3, 0.4}}}}) {
+        IdSource ids{70};
+        Pattern pattern = withDoubledCorner();
+        pattern = *insertVertex(pattern, back, pattern.pieces[1]->outline.edges[2].id, 0.5, ids);
+        for (const std::size_t edge : {std::size_t(2), std::size_t(3)})
+            pattern = *setEdgeShape(pattern, back, pattern.pieces[1]->outline.edges[edge].id, shape);
+        const auto edited = deleteVertex(pattern, back, pattern.pieces[1]->outline.vertices[3].id);
+        QVERIFY(edited);
+        const Contour& joined = edited->pattern.pieces[1]->outline;
+        QVERIFY(geometry::distance(geometry::pointAt(curveOf(joined, 2), 0.3), {0.3, 0.4}) < 1e-15);
+    }
+}
+
+void tst_PatternContours::joinedEdgesOfDifferentAllowancesAreNamed() {
+    const Pattern wide = *setEdgeSeamAllowance(tests::twoPanels(), front, EdgeId("top"), 0.03);
+    IdSource ids{50};
+    const Pattern split = *insertVertex(wide, front, EdgeId("top"), 0.5, ids); // both halves have it
+    const auto joined = deleteVertex(split, front, split.pieces[0]->outline.vertices[3].id);
+    QVERIFY(joined && joined->warnings.empty());
+    const auto edited = deleteVertex(wide, front, VertexId("v4"));
+    QVERIFY(edited);
+    QVERIFY(std::ranges::any_of(edited->warnings, [](const Warning& warning) {
+        return warning.place == "piece \"front\"" &&
+               warning.text.find("seam allowances of 30.0 and 10.0 mm") != std::string::npos;
+    }));
 }
 
 void tst_PatternContours::threePointsCannotBecomeTwo() {
