@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace toile::pattern {
 namespace {
@@ -17,7 +18,20 @@ struct Mouth {
     double from = 0, to = 1;
 };
 
-Result<Mouth> mouthOf(const Piece& piece, const Dart& dart) {
+/// A seam that would lose a whole side.
+const Seam* seamWithin(const Pattern& pattern, const Piece& piece, const EdgeId& edge, const Mouth& mouth) {
+    constexpr double rounding = 1e-9; // of fractions
+    const auto isWithin = [&](const SeamPart& part) {
+        return liesOn(pattern, part, piece.id, edge) && part.from >= mouth.from - rounding &&
+               part.to <= mouth.to + rounding;
+    };
+    const auto found = std::ranges::find_if(pattern.seams, [&](const Seam& seam) {
+        return std::ranges::any_of(seam.sides, [&](const auto& side) { return std::ranges::all_of(side, isWithin); });
+    });
+    return found == pattern.seams.end() ? nullptr : &*found;
+}
+
+Result<Mouth> mouthOf(const Pattern& pattern, const Piece& piece, const Dart& dart) {
     if (!findEdge(piece, dart.edge)) return fail(ErrorCode::notFound, "There is no such edge.", placeOf(piece));
     if (!(dart.width > 0 && std::isfinite(dart.width)))
         return fail(ErrorCode::invalidInput, "A dart needs a width.", placeOf(piece));
@@ -37,6 +51,10 @@ Result<Mouth> mouthOf(const Piece& piece, const Dart& dart) {
             });
         }))
         return fail(ErrorCode::invalidInput, "A fold ends in the mouth of the dart: move it first.", placeOf(piece));
+    if (const Seam* seam = seamWithin(pattern, piece, dart.edge, mouth))
+        return fail(ErrorCode::invalidInput,
+                    fmt::format("The seam \"{}\" lies in the mouth of the dart: delete it first.", seam->name),
+                    placeOf(piece));
     if (geometry::windingNumber(flattened(piece.outline, 1e-4), dart.tip) == 0)
         return fail(ErrorCode::invalidInput, "The tip of the dart lies outside the piece.", placeOf(piece));
     return mouth;
@@ -60,14 +78,13 @@ struct Legs {
     EdgeId in, out; ///< to the tip, and back
 };
 
-/// What was sewn along the mouth is sewn no more; a seam that has lost a whole side goes.
+/// What was sewn along the mouth is sewn no more.
 void letGo(Pattern& pattern, const PieceId& piece, const Legs& legs) {
     const auto onLeg = [&](const SeamPart& part) {
         return liesOn(pattern, part, piece, legs.in) || liesOn(pattern, part, piece, legs.out);
     };
     for (Seam& seam : pattern.seams)
         for (auto& side : seam.sides) std::erase_if(side, onLeg);
-    std::erase_if(pattern.seams, [](const Seam& seam) { return seam.sides[0].empty() || seam.sides[1].empty(); });
 }
 
 /// The legs of the piece and of its mirror images.
@@ -92,7 +109,7 @@ Result<Pattern> addDart(const Pattern& pattern, const PieceId& piece, const Dart
     if (found->mirror)
         return fail(ErrorCode::invalidInput, "This piece is a mirror image: edit the piece it is made from.",
                     placeOf(*found));
-    const auto mouth = mouthOf(*found, dart);
+    const auto mouth = mouthOf(pattern, *found, dart);
     if (!mouth) return tl::unexpected<Error>(mouth.error());
     Result<Pattern> next = insertVertex(pattern, piece, dart.edge, mouth->to, ids);
     if (next) next = insertVertex(*next, piece, dart.edge, mouth->from / mouth->to, ids);

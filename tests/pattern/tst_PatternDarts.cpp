@@ -20,6 +20,7 @@ private slots:
     void mirrorImagesAreSewnToo();
     void aMouthOnACurveHasItsWidth();
     void impossibleDartsAreRefused();
+    void aSeamInTheMouthIsNamed();
 };
 
 namespace {
@@ -114,6 +115,21 @@ void tst_PatternDarts::impossibleDartsAreRefused() {
     QVERIFY(isRefused(pattern, [](Dart& dart) { dart.edge = EdgeId("none"); }));
     QVERIFY(isRefused(*addNotch(pattern, front, {dartOf(pattern).edge, 0.5}), [](Dart&) {}));
     QVERIFY(!addDart(pattern, PieceId("none"), dartOf(pattern), "dart", ids));
+}
+
+void tst_PatternDarts::aSeamInTheMouthIsNamed() {
+    IdSource ids{500};
+    const EdgeId edge = dartOf(unsewn()).edge; // the mouth is a fifteenth of it, from 0.467 to 0.533
+    const EdgePick other{PieceId("back"), findPiece(unsewn(), PieceId("back"))->outline.edges[0].id};
+    for (const PieceId& piece : {front, PieceId("image")}) {
+        const EdgePick within{piece, edge, 0.48, 0.52}, beyond{piece, edge, 0.48, 0.6};
+        const Pattern sewn = *addSeam(unsewn(), std::span(&within, 1), std::span(&other, 1), "loop", ids);
+        const auto refused = addDart(sewn, front, dartOf(sewn), "dart", ids);
+        QVERIFY(!refused);
+        QVERIFY(refused.error().text.find("The seam \"loop\"") != std::string::npos);
+        const Pattern passing = *addSeam(unsewn(), std::span(&beyond, 1), std::span(&other, 1), "loop", ids);
+        QCOMPARE(addDart(passing, front, dartOf(passing), "dart", ids)->seams[0].name, std::string("loop"));
+    }
 }
 
 QTEST_GUILESS_MAIN(tst_PatternDarts)
