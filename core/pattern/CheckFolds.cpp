@@ -19,6 +19,10 @@ std::vector<BorderSegment> segmentsThrough(const std::vector<Vec2>& points, bool
     return segments;
 }
 
+std::string millimetreText(Vec2 point) {
+    return fmt::format("({:.2f}, {:.2f}) mm", 1000 * point.x, 1000 * point.y);
+}
+
 bool checkNumbers(const Piece& piece, const Fold& fold, const std::string& at, Problems& problems) {
     bool sound = true;
     const auto refuse = [&](const std::string& member, std::string text) {
@@ -50,23 +54,40 @@ bool isInside(const Piece& piece, Vec2 point) {
     });
 }
 
+/// A straight piece of a fold lies on the border: its middle is no farther from it than its ends may be, nor than any
+/// piece's that leaves the border at 30° or more.
+bool runsAlong(const std::vector<Polygon>& borders, const BorderSegment& leg) {
+    const double reach = std::min(atEnd, 0.25 * geometry::distance(leg.a, leg.b));
+    return std::ranges::any_of(borders, [&](const Polygon& border) {
+        return geometry::distanceToBorder(border, geometry::lerp(leg.a, leg.b, 0.5)) <= reach;
+    });
+}
+
 /// The fold runs through the piece, and meets its border at its ends only.
 void checkCourse(const Piece& piece, const Fold& fold, const std::vector<Vec2>& line, const std::string& at,
                  Problems& problems) {
     const auto refuse = [&](Vec2 point) {
-        problems.error(at + "between", fmt::format("The fold \"{}\" leaves the piece at ({:.2f}, {:.2f}) mm.",
-                                                   fold.name, 1000 * point.x, 1000 * point.y));
+        problems.error(at + "between",
+                       fmt::format("The fold \"{}\" leaves the piece at {}.", fold.name, millimetreText(point)));
     };
+    std::vector<Polygon> borders;
     for (int loop = 0; loop <= static_cast<int>(piece.holes.size()); ++loop)
-        for (const BorderSegment& border : segmentsThrough(flattened(loopOf(piece, loop), checkedChordError), true))
-            for (const BorderSegment& own : segmentsThrough(line, false))
+        borders.push_back(flattened(loopOf(piece, loop), checkedChordError));
+    const std::vector<BorderSegment> legs = segmentsThrough(line, false);
+    for (const Polygon& polygon : borders)
+        for (const BorderSegment& border : segmentsThrough(polygon, true))
+            for (const BorderSegment& own : legs)
                 if (const auto point = meeting(own, border); point &&
                                                              geometry::distance(*point, line.front()) > atEnd &&
                                                              geometry::distance(*point, line.back()) > atEnd)
                     return refuse(*point);
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        if (const Vec2 middle = geometry::lerp(line[i], line[i + 1], 0.5); !isInside(piece, middle))
-            return refuse(middle);
+    for (const BorderSegment& own : legs) {
+        const Vec2 middle = geometry::lerp(own.a, own.b, 0.5);
+        if (runsAlong(borders, own))
+            return problems.error(at + "between", fmt::format("The fold \"{}\" runs along the border at {}.", fold.name,
+                                                              millimetreText(middle)));
+        if (!isInside(piece, middle)) return refuse(middle);
+    }
 }
 
 void checkFold(const Piece& piece, std::size_t number, const std::vector<std::vector<Vec2>>& lines,
@@ -88,9 +109,8 @@ void checkFold(const Piece& piece, std::size_t number, const std::vector<std::ve
             for (const BorderSegment& p : own)
                 if (const auto point = meeting(p, q))
                     return problems.error(at + "between",
-                                          fmt::format("The fold \"{}\" crosses the fold \"{}\" at ({:.2f}, {:.2f}) mm.",
-                                                      fold.name, piece.folds[other].name, 1000 * point->x,
-                                                      1000 * point->y));
+                                          fmt::format("The fold \"{}\" crosses the fold \"{}\" at {}.", fold.name,
+                                                      piece.folds[other].name, millimetreText(*point)));
 }
 
 } // namespace

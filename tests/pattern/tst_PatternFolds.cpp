@@ -78,8 +78,11 @@ void tst_PatternFolds::whatIsNoFoldIsRefused_data() {
                                      << 1.0;
     QTest::newRow("ends where it begins") << Ends{{level[0], level[0]}} << std::vector<Vec2>{} << 1.0;
     QTest::newRow("leaves the piece") << level << std::vector<Vec2>{{0.15, 0.5}} << 1.0;
-    QTest::newRow("along the border") << Ends{{{EdgeId("right"), 0.2}, {EdgeId("right"), 0.8}}} << std::vector<Vec2>{}
-                                      << 1.0;
+    for (const char* edge : {"bottom", "right", "top", "left"})
+        QTest::addRow("along the border, %s", edge)
+            << Ends{{{EdgeId(edge), 0.2}, {EdgeId(edge), 0.8}}} << std::vector<Vec2>{} << 1.0;
+    QTest::newRow("along the border, then inside")
+        << Ends{{{EdgeId("bottom"), 0.2}, {EdgeId("top"), 0.5}}} << std::vector<Vec2>{{0.15, 0}} << 1.0;
     QTest::newRow("crosses itself") << level << std::vector<Vec2>{{0.1, 0.1}, {0.1, 0.3}, {0.2, 0.15}} << 1.0;
     QTest::newRow("more than folded") << level << std::vector<Vec2>{} << 4.0;
     QTest::newRow("no number") << level << std::vector<Vec2>{{0.1, std::nan("")}} << 1.0;
