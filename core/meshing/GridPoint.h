@@ -34,11 +34,6 @@ constexpr int circleSide(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
     return (sum > 0) - (sum < 0);
 }
 
-/// d lies strictly inside that circle.
-constexpr bool inCircle(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
-    return circleSide(a, b, c, d) > 0;
-}
-
 /// An order of points that is the same on both sides of the piece's middle, x = 0: the nearer first, then the lower.
 constexpr bool nearerMiddle(GridPoint a, GridPoint b) {
     const std::int32_t ax = a.x < 0 ? -a.x : a.x, bx = b.x < 0 ? -b.x : b.x;

@@ -16,14 +16,14 @@ bool isUsable(Vec2 p) {
     return std::abs(p.x) < largest && std::abs(p.y) < largest;
 } // false for NaN too
 
-Result<Polygon> borderOf(Polygon polygon, bool counterClockwise, const Piece& piece) {
+Result<Polygon> borderOf(Polygon polygon, const Piece& piece) {
     if (polygon.size() < 3)
         return fail(ErrorCode::invalidInput, "A region needs at least three corners.", placeOf(piece));
     if (!std::ranges::all_of(polygon, isUsable))
         return fail(ErrorCode::invalidInput, "The corners of a region must have finite coordinates.", placeOf(piece));
     const double area = geometry::signedArea(polygon);
     if (std::abs(area) < 1e-10) return fail(ErrorCode::invalidInput, "A region must enclose an area.", placeOf(piece));
-    if ((area > 0) != counterClockwise) std::ranges::reverse(polygon);
+    if (area < 0) std::ranges::reverse(polygon);
     return polygon;
 }
 
@@ -71,25 +71,9 @@ Result<Pattern> addRegion(const Pattern& pattern, const PieceId& piece, Polygon 
                           int refinement, IdSource& ids) {
     return changedShape(pattern, piece, [&](Piece& p) -> Result<void> {
         if (auto ok = refinementIn(refinement, p); !ok) return ok;
-        return borderOf(std::move(outline), true, p).map([&](Polygon border) {
+        return borderOf(std::move(outline), p).map([&](Polygon border) {
             p.regions.push_back(made({std::move(border), {}}, std::move(name), refinement, ids));
         });
-    });
-}
-
-Result<Pattern> replaceRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region, Polygon outline,
-                              std::vector<Polygon> holes) {
-    return changedRegion(pattern, piece, region, [&](Piece& p, Region& r) -> Result<void> {
-        auto border = borderOf(std::move(outline), true, p);
-        if (!border) return tl::unexpected<Error>(std::move(border).error());
-        r.outline = *std::move(border);
-        r.holes.clear();
-        for (Polygon& hole : holes) {
-            auto inner = borderOf(std::move(hole), false, p);
-            if (!inner) return tl::unexpected<Error>(std::move(inner).error());
-            r.holes.push_back(*std::move(inner));
-        }
-        return {};
     });
 }
 

@@ -13,8 +13,6 @@ namespace toile::pattern {
 /// A region with straight borders; turned to run counter-clockwise. Error when it has no area.
 [[nodiscard]] Result<Pattern> addRegion(const Pattern& pattern, const PieceId& piece, Polygon outline, std::string name,
                                         int refinement, IdSource& ids);
-[[nodiscard]] Result<Pattern> replaceRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region,
-                                            Polygon outline, std::vector<Polygon> holes = {});
 [[nodiscard]] Result<Pattern> removeRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region);
 [[nodiscard]] Result<Pattern> renameRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region,
                                            std::string name);
