@@ -77,9 +77,10 @@ std::optional<Error> edgeError(const PieceInput& piece, int loop) {
         if (distance(edge.curve.end, nextStart) > joinTolerance)
             return error(e, "The edge ends at " + pointText(edge.curve.end) + ", but the next one starts at " +
                                 pointText(nextStart) + ".");
-        double before = 0;
+        double before = -1;
         for (const double notch : edge.notches) {
-            if (!(notch > before && notch < 1)) return error(e, "Notches must rise strictly between 0 and 1.");
+            if (!(notch >= 0 && notch > before && notch <= 1))
+                return error(e, "Notches must rise strictly, from 0 to 1.");
             before = notch;
         }
     }

@@ -13,6 +13,7 @@ constexpr double silentRelativeMismatch = 3e-3; ///< [–]
 constexpr double warnedMismatch = 3e-3;         ///< [m]
 constexpr double jointReach = 0.35; ///< joints of both sides nearer than this part of ε are one place [–]
 constexpr double sameFraction = 1e-9;
+constexpr double sameNotch = 1e-6; ///< notches nearer than this along the chain are one [m]
 
 using Failure = std::optional<Error>;
 
@@ -108,15 +109,20 @@ SeamChain chainOf(const std::vector<SeamPartInput>& parts, const std::vector<Pie
     return chain;
 }
 
+/// Where the notches of a side lie along it. One at a joint of two edges may be marked on either, or on both; at the
+/// ends of the chain both sides meet anyway.
 std::pmr::vector<double> notchesOf(const MeshInput& input, const SeamChain& chain, Arena& arena) {
     std::pmr::vector<double> places(&arena);
     for (const ChainPart& part : chain.parts) {
         const PieceInput& piece = input.pieces[static_cast<std::size_t>(part.part.piece)];
         for (const double notch : loopOf(piece, part.part.loop)[static_cast<std::size_t>(part.part.edge)].notches)
-            if (notch > part.part.from + sameFraction && notch < part.part.to - sameFraction)
-                places.push_back(part.chainOf(notch));
+            if (notch >= part.part.from && notch <= part.part.to) places.push_back(part.chainOf(notch));
     }
+    std::erase_if(places, [&](double at) { return at < sameNotch || at > chain.length - sameNotch; });
     std::sort(places.begin(), places.end());
+    places.erase(
+        std::unique(places.begin(), places.end(), [](double below, double above) { return above - below < sameNotch; }),
+        places.end());
     return places;
 }
 

@@ -33,7 +33,7 @@ meshing::BoundaryLoop loopOf(const Piece& piece, const Contour& contour) {
     for (std::size_t i = 0; i < contour.edges.size(); ++i) {
         meshing::BoundaryEdge edge{curveOf(contour, i), {}, contour.edges[i].id.value};
         for (const Notch& notch : piece.notches)
-            if (notch.edge == contour.edges[i].id && notch.position > 0 && notch.position < 1)
+            if (notch.edge == contour.edges[i].id && notch.position >= 0 && notch.position <= 1)
                 edge.notches.push_back(notch.position);
         std::ranges::sort(edge.notches);
         const auto [first, last] = std::ranges::unique(edge.notches);

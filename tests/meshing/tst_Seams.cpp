@@ -2,6 +2,7 @@
 #include "tests/meshing/MeshReferee.h"
 
 #include <QTest>
+#include <algorithm>
 #include <set>
 
 using namespace toile;
@@ -18,6 +19,8 @@ private slots:
     void anUndeclaredMismatchIsAnErrorWithBothLengths();
     void declaredEaseKeepsEqualCounts();
     void notchesAreMatchedInOrder();
+    void aNotchAtAJointOfTheChainCounts_data();
+    void aNotchAtAJointOfTheChainCounts();
     void seamsThatShareAnEdgeShareItsCount();
     void aDartClosesAtOneTip();
     void nodesTooNearForTheGridAreRefused();
@@ -145,6 +148,36 @@ void tst_Seams::notchesAreMatchedInOrder() {
     QCOMPARE(pairs.size(), std::size_t{1 + 7 + 14});
     QVERIFY(distance(pointOf(*garment, pairs[7][0]), Vec2{0.2, 0.12}) < 1e-15);
     QVERIFY(distance(pointOf(*garment, pairs[7][1]), Vec2{0, 0.124}) < 1e-15);
+}
+
+void tst_Seams::aNotchAtAJointOfTheChainCounts_data() {
+    QTest::addColumn<bool>("onFirst");
+    QTest::addColumn<bool>("onSecond");
+    QTest::newRow("marked on the first edge") << true << false;
+    QTest::newRow("marked on the second edge") << false << true;
+    QTest::newRow("marked on both") << true << true;
+}
+
+void tst_Seams::aNotchAtAJointOfTheChainCounts() {
+    QFETCH(bool, onFirst);
+    QFETCH(bool, onSecond);
+    MeshInput input{{rectanglePiece(0.2, 0.3, 0.02), rectanglePiece(0.2, 0.3, 0.02), rectanglePiece(0.4, 0.3, 0.02)},
+                    {}};
+    if (onFirst) input.pieces[0].outline[2].notches = {0};
+    if (onSecond) input.pieces[1].outline[2].notches = {1};
+    input.pieces[1].outline[2].notches.insert(input.pieces[1].outline[2].notches.begin(), 0.0); // the end of the chain
+    input.pieces[2].outline[0].notches = {0.52};
+    input.seams = {seamOf({{0, 0, 2, 0, 1, true}, {1, 0, 2, 0, 1, true}}, {{2, 0, 0}})};
+    input.seams[0].sections = {{-0.008, {}}, {0.008, {}}};
+    const auto garment = meshGarment(input);
+    QVERIFY2(garment, garment ? "" : toString(garment.error()).c_str());
+    const auto& pairs = garment->seams[0].pairs;
+    QVERIFY(std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+        const Vec2 first = pointOf(*garment, pair[0]), second = pointOf(*garment, pair[1]);
+        const bool atJoint = first == (pair[0].piece == 0 ? Vec2{0.2, 0.3} : Vec2{0, 0.3});
+        return atJoint && distance(second, Vec2{0.208, 0}) < 1e-12;
+    }));
+    for (const PieceMesh& mesh : garment->pieces) QCOMPARE(QString::fromStdString(defectOf(mesh)), QString());
 }
 
 void tst_Seams::seamsThatShareAnEdgeShareItsCount() {

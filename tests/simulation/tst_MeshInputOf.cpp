@@ -12,6 +12,7 @@ class tst_MeshInputOf : public QObject {
 private slots:
     void piecesAndSeamsKeepTheirOrder();
     void aMirrorPieceIsWalkedTheOtherWay();
+    void notchesAtTheEndsOfAnEdgeAreTold();
     void anUnknownEdgeIsNamed();
     void spacingCanBeOverridden();
 };
@@ -49,6 +50,14 @@ void tst_MeshInputOf::aMirrorPieceIsWalkedTheOtherWay() {
     const auto& curve = input->pieces[2].outline[part.edge].curve;
     const Vec2 start = geometry::ArcLength(curve).pointAt(part.to);
     QVERIFY(geometry::distance(start, {-0.2, 0.25 * 0.2}) < 1e-12);
+}
+
+void tst_MeshInputOf::notchesAtTheEndsOfAnEdgeAreTold() {
+    auto pattern = twoSquares().pattern;
+    pattern::Piece left = *pattern.pieces[0];
+    for (const double position : {1.0, 0.5, 0.0}) left.notches.push_back({pattern::EdgeId("e1"), position});
+    pattern.pieces[0] = left;
+    QCOMPARE(meshInputOf(pattern)->pieces[0].outline[1].notches, (std::vector<double>{0, 0.5, 1}));
 }
 
 void tst_MeshInputOf::anUnknownEdgeIsNamed() {
