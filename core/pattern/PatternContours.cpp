@@ -4,9 +4,11 @@
 #include "core/pattern/EdgeFractions.h"
 #include "core/pattern/JoinedCurve.h"
 #include "core/pattern/PatternMeasures.h"
+#include "core/pattern/SeamSections.h"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 
 namespace toile::pattern {
 namespace {
@@ -65,6 +67,19 @@ std::vector<Warning> warnOfSeams(const Pattern& pattern, Predicate touches, cons
         if (std::ranges::any_of(seam.sides, [&](const auto& side) { return std::ranges::any_of(side, touches); }))
             warnings.push_back({toString(placeOf(seam)), text});
     return warnings;
+}
+
+bool liesOnAnEdge(const Notch& notch) {
+    return notch.position >= 0 && notch.position <= 1;
+}
+
+/// The shape with other notches; the sections of seams follow.
+Result<Pattern> changedNotches(const Pattern& pattern, const PieceId& piece,
+                               const std::function<Result<void>(Piece&)>& change) {
+    return changedShape(pattern, piece, change).map([&](Pattern next) {
+        divideSectionsAnew(next, pattern);
+        return next;
+    });
 }
 
 /// A side that ran along an edge without length alone is no side.
@@ -288,15 +303,24 @@ Result<Edited> deleteHole(const Pattern& pattern, const PieceId& piece, std::siz
 }
 
 Result<Pattern> addNotch(const Pattern& pattern, const PieceId& piece, const Notch& notch) {
-    return changedShape(pattern, piece, [&](Piece& p) -> Result<void> {
-        if (!(notch.position >= 0 && notch.position <= 1))
+    return changedNotches(pattern, piece, [&](Piece& p) -> Result<void> {
+        if (!liesOnAnEdge(notch))
             return fail(ErrorCode::invalidInput, "A notch lies between the ends of its edge.", placeOf(p));
         return edgeIn(p, notch.edge).map([&](LoopIndex) { p.notches.push_back(notch); });
     });
 }
 
+Result<Pattern> changeNotch(const Pattern& pattern, const PieceId& piece, std::size_t notch, const Notch& to) {
+    return changedNotches(pattern, piece, [&](Piece& p) -> Result<void> {
+        if (notch >= p.notches.size()) return fail(ErrorCode::notFound, "There is no such notch.", placeOf(p));
+        if (!liesOnAnEdge(to))
+            return fail(ErrorCode::invalidInput, "A notch lies between the ends of its edge.", placeOf(p));
+        return edgeIn(p, to.edge).map([&](LoopIndex) { p.notches[notch] = to; });
+    });
+}
+
 Result<Pattern> removeNotch(const Pattern& pattern, const PieceId& piece, std::size_t notch) {
-    return changedShape(pattern, piece, [&](Piece& p) -> Result<void> {
+    return changedNotches(pattern, piece, [&](Piece& p) -> Result<void> {
         if (notch >= p.notches.size()) return fail(ErrorCode::notFound, "There is no such notch.", placeOf(p));
         p.notches.erase(p.notches.begin() + static_cast<std::ptrdiff_t>(notch));
         return {};

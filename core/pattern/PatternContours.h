@@ -51,7 +51,11 @@ enum class Handle { first, second };
 /// Seams along the hole, and folds that end on it, are dropped with a warning.
 [[nodiscard]] Result<Edited> deleteHole(const Pattern& pattern, const PieceId& piece, std::size_t hole);
 
+/// Where sections of a seam have ease or gathers of their own, they are divided anew when its notches change: what is
+/// divided is shared by length, what becomes one is added up.
 [[nodiscard]] Result<Pattern> addNotch(const Pattern& pattern, const PieceId& piece, const Notch& notch);
+[[nodiscard]] Result<Pattern> changeNotch(const Pattern& pattern, const PieceId& piece, std::size_t notch,
+                                          const Notch& to);
 [[nodiscard]] Result<Pattern> removeNotch(const Pattern& pattern, const PieceId& piece, std::size_t notch);
 
 } // namespace toile::pattern

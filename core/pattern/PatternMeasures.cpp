@@ -157,7 +157,7 @@ std::size_t sectionCount(const Pattern& pattern, const Seam& seam) {
 std::optional<std::vector<SectionLengths>> sectionsOf(const Pattern& pattern, const Seam& seam) {
     const auto a = measured(pattern, seam.sides[0]), b = measured(pattern, seam.sides[1]);
     if (!a || !b) return std::nullopt;
-    const bool byNotches = a->notches.size() == b->notches.size();
+    const bool byNotches = a->notches.size() == b->notches.size() && seam.sections.size() != 1;
     const std::vector<double> endsA = ends(*a, byNotches), endsB = ends(*b, byNotches);
     if (!seam.sections.empty() && seam.sections.size() != endsA.size()) return std::nullopt;
     std::vector<SectionLengths> sections;

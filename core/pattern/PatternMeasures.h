@@ -48,10 +48,10 @@ struct SectionLengths {
 };
 
 /// The sections of a seam in its order. Where both sides have the same number of notches inside, the first meets the
-/// first, and so on; otherwise the seam is one section. None where a part is unknown or the number of declared
-/// sections is not the number found.
+/// first, and so on; otherwise the seam is one section, and also where one is declared: an ease for the whole seam.
+/// None where a part is unknown or the number of declared sections is not the number found.
 [[nodiscard]] std::optional<std::vector<SectionLengths>> sectionsOf(const Pattern& pattern, const Seam& seam);
-/// How many there are, whatever is declared; 1 where a part is unknown.
+/// How many the notches make, whatever is declared; 1 where a part is unknown.
 [[nodiscard]] std::size_t sectionCount(const Pattern& pattern, const Seam& seam);
 
 } // namespace toile::pattern

@@ -91,10 +91,10 @@ std::string defaultName(const Pattern& pattern, const PieceId& a, const PieceId&
 Result<Pattern> changedSection(const Pattern& pattern, const SeamId& id, std::size_t section,
                                const std::function<Result<void>(Seam&, SeamSection&)>& change) {
     return changed(pattern, id, [&](Seam& seam) -> Result<void> {
-        const std::size_t count = sectionCount(pattern, seam);
+        const auto sections = sectionsOf(pattern, seam);
+        const std::size_t count = sections ? sections->size() : sectionCount(pattern, seam);
         if (section >= count)
-            return fail(ErrorCode::invalidInput, fmt::format("The notches divide this seam into {} sections.", count),
-                        placeOf(seam));
+            return fail(ErrorCode::invalidInput, fmt::format("This seam has {} sections.", count), placeOf(seam));
         seam.sections.resize(count);
         return change(seam, seam.sections[section]);
     });

@@ -2,6 +2,7 @@
 #include "core/pattern/PatternContours.h"
 
 #include "core/pattern/PatternMeasures.h"
+#include "core/pattern/PatternSeams.h"
 #include "tests/pattern/ErrorsOf.h"
 #include "tests/pattern/TwoPanels.h"
 
@@ -41,6 +42,10 @@ private slots:
     void aHoleRunsClockwise();
     void aDeletedHoleTakesItsSeamsAlong();
     void anEdgeHasASeamAllowanceOfItsOwn();
+    void sectionsThatLoseTheirNotchesAreAddedUp();
+    void aDividedSectionIsSharedByLength();
+    void aNotchThatMovesToTheEndOfItsSeamEndsASection();
+    void easeOfAWholeSeamStaysWhenItIsNotched();
 };
 
 namespace {
@@ -60,6 +65,12 @@ Pattern withDoubledCorner() {
     IdSource ids{60};
     Pattern pattern = *insertVertex(tests::twoPanels(), back, EdgeId("top"), 0.5, ids);
     return *moveVertex(pattern, back, pattern.pieces[1]->outline.vertices[3].id, {0.3, 0.4});
+}
+
+/// Three sections along the right side.
+Pattern withNotchesOnBothSides() {
+    Pattern pattern = *addNotch(tests::twoPanels(), back, {EdgeId("left"), 0.25});
+    return *addNotch(pattern, back, {EdgeId("left"), 0.75});
 }
 
 Pattern withEdgeShape(const EdgeShape& shape) {
@@ -349,6 +360,65 @@ void tst_PatternContours::anEdgeHasASeamAllowanceOfItsOwn() {
     const auto after = setEdgeSeamAllowance(tests::twoPanels(), front, EdgeId("top"), 0.03);
     QCOMPARE(*after->pieces[0]->outline.edges[2].seamAllowance, 0.03);
     QVERIFY(!setEdgeSeamAllowance(tests::twoPanels(), front, EdgeId("top"), -0.01));
+}
+
+void tst_PatternContours::sectionsThatLoseTheirNotchesAreAddedUp() {
+    Pattern eased = withNotchesOnBothSides();
+    eased.seams[0].sections = {{0.001, {}}, {0.002, {}}, {0.004, {}}};
+    const Pattern one = *removeNotch(eased, front, 0); // two notches meet one: there is nothing to pair
+    QCOMPARE(one.seams[0].sections.size(), std::size_t(1));
+    QVERIFY(std::abs(one.seams[0].sections[0].ease - 0.007) < rounding);
+    const Pattern two = *removeNotch(*addNotch(one, front, eased.pieces[0]->notches[0]), front, 1);
+    QVERIFY(two.seams[0].sections == one.seams[0].sections); // one ease, whatever the notches are
+
+    Pattern gathered = eased;
+    gathered.seams[0].sections = {{0, 1.5}, {0, 1.5}, {0, 1.5}};
+    QCOMPARE(removeNotch(gathered, front, 1)->seams[0].sections, (std::vector<SeamSection>{{0, 1.5}}));
+    gathered.seams[0].sections[2] = {}; // then what is wanted in all: half of the first 75 % of side B, which is 0.4 m
+    const SeamSection mixed = removeNotch(gathered, front, 1)->seams[0].sections.at(0);
+    QVERIFY(mixed.gatherRatio && std::abs(*mixed.gatherRatio - 1.375) < 1e-9);
+}
+
+void tst_PatternContours::aDividedSectionIsSharedByLength() {
+    Pattern pattern = tests::twoPanels(); // a notch on the front is on its image as well: both sides have it
+    pattern.seams = {
+        {SeamId("s3"), "centre front", {{{{front, EdgeId("left")}}, {{PieceId("image"), EdgeId("left")}}}}}};
+    pattern = *addNotch(pattern, front, {EdgeId("left"), 0.6});
+    pattern.seams[0].sections = {{0.003, {}}, {0, 1.2}};
+    const Pattern eased = *addNotch(pattern, front, {EdgeId("left"), 0.2}),
+                  gathered = *addNotch(pattern, front, {EdgeId("left"), 0.7});
+    const auto& shared = eased.seams[0].sections;
+    QCOMPARE(shared.size(), std::size_t(3));
+    QVERIFY(std::abs(shared[0].ease - 0.001) < rounding && std::abs(shared[1].ease - 0.002) < rounding);
+    QVERIFY(shared[2] == pattern.seams[0].sections[1]);
+    QVERIFY((gathered.seams[0].sections == std::vector<SeamSection>{{0.003, {}}, {0, 1.2}, {0, 1.2}}));
+    QVERIFY(sectionsOf(eased, eased.seams[0]) && sectionsOf(gathered, gathered.seams[0]));
+    QVERIFY(removeNotch(gathered, front, 3)->seams[0].sections == pattern.seams[0].sections);
+}
+
+void tst_PatternContours::aNotchThatMovesToTheEndOfItsSeamEndsASection() {
+    Pattern pattern = withNotchesOnBothSides();
+    pattern.seams[0].sections = {{0.001, {}}, {0.002, {}}, {0.004, {}}};
+    const Notch first = pattern.pieces[0]->notches[0];
+    const Pattern moved = *changeNotch(pattern, front, 0, {first.edge, 0.3, first.kind, first.isDouble});
+    QVERIFY(moved.seams[0].sections == pattern.seams[0].sections);
+    QCOMPARE(moved.pieces[0]->notches[0].position, 0.3);
+    QCOMPARE(changeNotch(pattern, front, 0, {first.edge, 0})->seams[0].sections.size(), std::size_t(1));
+    QVERIFY(!changeNotch(pattern, front, 2, first) && !changeNotch(pattern, front, 0, {first.edge, 1.5}));
+    QVERIFY(!changeNotch(pattern, front, 0, {EdgeId("none"), 0.5}));
+}
+
+void tst_PatternContours::easeOfAWholeSeamStaysWhenItIsNotched() {
+    Pattern pattern = tests::twoPanels(); // the front has notches, the back not yet
+    const SectionLengths whole = sectionsOf(pattern, pattern.seams[0])->at(0);
+    pattern.seams[0].sections = {{whole.a - whole.b, {}}};
+    pattern = *addNotch(pattern, back, {EdgeId("left"), 0.25});
+    pattern = *addNotch(pattern, back, {EdgeId("left"), 0.75});
+    QCOMPARE(sectionCount(pattern, pattern.seams[0]), std::size_t(3));
+    QCOMPARE(sectionsOf(pattern, pattern.seams[0])->size(), std::size_t(1));
+    QVERIFY(tests::errorsOf(pattern).empty());
+    const Pattern more = *setSeamEase(pattern, pattern.seams[0].id, 0, 0.001);
+    QCOMPARE(more.seams[0].sections, (std::vector<SeamSection>{{0.001, {}}}));
 }
 
 QTEST_APPLESS_MAIN(tst_PatternContours)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
+#include "core/pattern/PatternMeasures.h"
 #include "ui/panels/PropertySheet.h"
 #include "ui/tools/EditSewing.h"
 #include "ui/tools/PaintRegion.h"
@@ -31,6 +32,7 @@ private Q_SLOTS:
     void aSideMayNotLeaveItsEdge();
     void seamsAreSelectedReversedAndDeleted();
     void theSheetGathersTheLongerSide();
+    void theSheetMendsSectionsThatDoNotFit();
 
     void cornersMakeARegion();
     void aStrokeMakesARegion();
@@ -253,6 +255,23 @@ void tst_SewingTools::seamsAreSelectedReversedAndDeleted() {
     QCOMPARE(levelThatMeetsTheBottomOfSideOne(hand), 0.15);
     hand.key(tool, ToolKey::erase);
     QVERIFY(hand.document.pattern.seams.empty());
+}
+
+void tst_SewingTools::theSheetMendsSectionsThatDoNotFit() {
+    SewSegments tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.1, -0.1});
+    hand.click(tool, {0.2, -0.1});
+    pattern::Pattern& pattern = hand.document.pattern;
+    pattern.seams.at(0).sections = {{0.01, {}}, {}}; // as a file may have them: there are no notches
+    QVERIFY(!sectionsOf(pattern, pattern.seams[0]));
+    hand.feed([&](const Desk& desk) {
+        const PropertySheet sheet = seamSheet(desk, pattern.seams[0]);
+        const auto row = std::ranges::find(sheet.rows, QStringLiteral("easeAway"), &PropertyRow::name);
+        return row == sheet.rows.end() ? Effect{}
+                                       : effectOf(row->label, std::get<ActionRow>(row->content), desk.document);
+    });
+    QVERIFY(sectionsOf(pattern, pattern.seams[0]));
 }
 
 void tst_SewingTools::theSheetGathersTheLongerSide() {

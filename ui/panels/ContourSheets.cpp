@@ -26,11 +26,12 @@ void addNotchRows(PropertySheet& sheet, const Piece& owner, const EdgeId& edge) 
     const PieceId piece = owner.id;
     const double length = edgeLength(owner, edge);
     const auto change = [piece](std::size_t index, auto edit) {
-        return setting([piece, index, edit](const Pattern& p, auto value) {
-            return changedShape(p, piece, [&](Piece& changed) -> Result<void> {
-                if (index < changed.notches.size()) edit(changed.notches[index], value);
-                return {};
-            });
+        return setting([piece, index, edit](const Pattern& p, auto value) -> Result<Pattern> {
+            const Piece* now = findPiece(p, piece);
+            if (!now || index >= now->notches.size()) return p;
+            Notch notch = now->notches[index];
+            edit(notch, value);
+            return changeNotch(p, piece, index, notch);
         });
     };
     int number = 0;

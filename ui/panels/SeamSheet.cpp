@@ -20,6 +20,8 @@ void addLengthRows(PropertySheet& sheet, const Desk& desk, const Seam& seam) {
     if (!sections) {
         sheet.rows.push_back(
             {QStringLiteral("lengthA"), tr("Lengths"), FactRow{tr("a side or its notches do not fit"), true}});
+        sheet.rows.push_back(
+            {QStringLiteral("easeAway"), tr("Take the difference as ease"), ActionRow{setting(seam.id, easeAway)}});
         return;
     }
     double a = 0, b = 0, wanted = 0, mismatch = 0;
