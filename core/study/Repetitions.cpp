@@ -13,7 +13,9 @@ bool isNoisy(double least, double median) {
 RunTime runTimeOf(std::vector<double> seconds) {
     if (seconds.empty()) return {};
     std::ranges::sort(seconds);
-    const double least = seconds.front(), median = seconds[seconds.size() / 2];
+    const std::size_t middle = seconds.size() / 2;
+    const double least = seconds.front(),
+                 median = seconds.size() % 2 == 1 ? seconds[middle] : (seconds[middle - 1] + seconds[middle]) / 2;
     return {least, median, isNoisy(least, median)};
 }
 

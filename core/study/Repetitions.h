@@ -18,7 +18,7 @@ constexpr double shortestTime = 0.005;
 
 /// CPU time of something that was run several times.
 struct RunTime {
-    double least = 0, median = 0; ///< [s]
+    double least = 0, median = 0; ///< [s]; the median of an even number is the mean of the two in the middle
     bool noisy = false;           ///< the median is over 1.3 of the least: no time is concluded from it
 };
 [[nodiscard]] RunTime runTimeOf(std::vector<double> seconds); ///< zero of none

@@ -18,6 +18,7 @@ void tst_Repetitions::leastAndMedianOfRuns() {
     const RunTime time = runTimeOf({3, 1, 2});
     QCOMPARE(time.least, 1.0);
     QCOMPARE(time.median, 2.0);
+    QCOMPARE(runTimeOf({1, 2}).median, 1.5);
     QCOMPARE(runTimeOf({}).least, 0.0);
 }
 
