@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr mode_t anyWriteBit = S_IWUSR | S_IWGRP | S_IWOTH;
+
 tl::unexpected<Error> refused(const fs::path& path, const std::string& what, int number) {
     return fail(ErrorCode::io, what + ": " + std::strerror(number) + ".", {.file = path.string()});
 }
@@ -67,6 +69,10 @@ Result<Neighbour> openedBeside(const fs::path& wanted) {
     const bool exists = ::stat(neighbour.target.c_str(), &existing) == 0;
     if (exists && !S_ISREG(existing.st_mode))
         return fail(ErrorCode::io, "Cannot be written: it is not a regular file.", {.file = wanted.string()});
+    // Renaming over it asks for the folder's permission alone. Root may write anything; the bits say that nobody shall.
+    if (exists && (existing.st_mode & anyWriteBit) == 0)
+        return fail(ErrorCode::io, "Cannot be written: it is write-protected.", {.file = wanted.string()});
+    if (exists && ::access(neighbour.target.c_str(), W_OK) != 0) return refused(wanted, "Cannot be written", errno);
     if (exists) neighbour.permissions = existing.st_mode & 07777;
     neighbour.path = neighbourOf(neighbour.target);
     neighbour.file = ::open(neighbour.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

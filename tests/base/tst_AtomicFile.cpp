@@ -16,6 +16,7 @@ class tst_AtomicFile : public QObject {
 private slots:
     void whatIsWrittenIsRead();
     void anExistingFileIsReplacedAndKeepsItsPermissions();
+    void aWriteProtectedFileIsNotReplaced();
     void aLinkKeepsPointingAtItsTarget();
     void nothingIsLeftBehindWhenTheFolderDoesNotExist();
     void aFolderIsNotOverwritten();
@@ -45,6 +46,17 @@ void tst_AtomicFile::anExistingFileIsReplacedAndKeepsItsPermissions() {
     struct stat facts {};
     QCOMPARE(::stat(at("plain").c_str(), &facts), 0);
     QCOMPARE(int(facts.st_mode & 0777), 0640);
+}
+
+void tst_AtomicFile::aWriteProtectedFileIsNotReplaced() {
+    QVERIFY(writeFileAtomically(at("protected"), "mine"));
+    QCOMPARE(::chmod(at("protected").c_str(), 0444), 0);
+    const long before = entries();
+    const auto written = writeFileAtomically(at("protected"), "yours"); // root is refused as well
+    QVERIFY(!written);
+    QCOMPARE(written.error().code, ErrorCode::io);
+    QCOMPARE(*readRegularFile(at("protected"), 100), std::string("mine"));
+    QCOMPARE(entries(), before);
 }
 
 void tst_AtomicFile::aLinkKeepsPointingAtItsTarget() {
