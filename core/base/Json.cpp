@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 namespace toile {
 namespace {
@@ -40,6 +41,7 @@ struct LineIterator {
 };
 
 constexpr int deepestNesting = 200;
+constexpr std::size_t fewMembers = 32; ///< of an object: so few are searched as fast one by one
 
 bool isPlain(const Json& json) {
     return !json.asArray() && !json.asObject();
@@ -125,7 +127,7 @@ public:
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
     bool key(string_t& text) override {
-        if (open_.back()->find(text)) return refuse(fmt::format("the key \"{}\" is given twice.", text));
+        if (isGiven(text)) return refuse(fmt::format("the key \"{}\" is given twice.", text));
         key_ = text;
         return true;
     }
@@ -137,6 +139,21 @@ public:
     }
 
 private:
+    /// A list or an object whose end has not been read yet.
+    struct Open {
+        Json* json = nullptr;       ///< does not move while its children are read
+        std::set<std::string> keys; ///< of an object with more than a few members; else empty
+    };
+
+    /// Whether the innermost object has this key already, which it is about to get.
+    bool isGiven(const std::string& key) {
+        auto& [json, keys] = open_.back();
+        const auto& members = *json->asObject();
+        if (members.size() < fewMembers) return json->find(key) != nullptr;
+        if (keys.empty())
+            for (const auto& [name, value] : members) keys.insert(name);
+        return !keys.insert(key).second;
+    }
     bool add(Json value, bool lineAbove = false) {
         value.line_ = line_ - (lineAbove ? 1 : 0);
         place(std::move(value));
@@ -144,15 +161,15 @@ private:
     }
     Json* place(Json value) {
         if (open_.empty()) return &(root_ = std::move(value));
-        if (auto* array = std::get_if<Json::Array>(&open_.back()->value_))
+        if (auto* array = std::get_if<Json::Array>(&open_.back().json->value_))
             return &array->emplace_back(std::move(value));
-        auto& object = std::get<Json::Object>(open_.back()->value_);
+        auto& object = std::get<Json::Object>(open_.back().json->value_);
         return &object.emplace_back(std::move(key_), std::move(value)).second;
     }
     bool open(Json value) {
         if (open_.size() >= deepestNesting) return refuse("the values are nested too deeply.");
         value.line_ = line_;
-        open_.push_back(place(std::move(value)));
+        open_.push_back({place(std::move(value)), {}});
         return true;
     }
     bool close() {
@@ -169,7 +186,7 @@ private:
     const int& line_;
     const bool& endsLine_;
     Json root_;
-    std::vector<Json*> open_; // a container does not move while its children are read
+    std::vector<Open> open_; // the innermost last
     std::string key_;
     std::optional<Error> error_;
 };
@@ -196,6 +213,12 @@ Json& Json::set(std::string key, Json value) {
     const auto found = std::ranges::find(object, key, &Member::first);
     if (found != object.end()) found->second = std::move(value);
     else object.emplace_back(std::move(key), std::move(value));
+    return *this;
+}
+
+Json& Json::add(std::string key, Json value) {
+    if (isNull()) value_ = Object{};
+    std::get<Object>(value_).emplace_back(std::move(key), std::move(value));
     return *this;
 }
 

@@ -42,6 +42,8 @@ public:
     [[nodiscard]] const Json* find(std::string_view key) const;
     /// Sets or replaces a member; a null becomes an object first.
     Json& set(std::string key, Json value);
+    /// The same for a key that the object is known not to have; what it has is not searched.
+    Json& add(std::string key, Json value);
     /// Appends to an array; a null becomes an array first.
     Json& push(Json value);
 

@@ -94,7 +94,7 @@ Json JsonNode::unknown() const {
     Json rest;
     if (!json_ || !json_->asObject()) return rest;
     for (const auto& [key, value] : *json_->asObject())
-        if (std::ranges::find(asked_, key) == asked_.end()) rest.set(key, value);
+        if (std::ranges::find(asked_, key) == asked_.end()) rest.add(key, value);
     return rest;
 }
 

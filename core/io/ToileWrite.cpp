@@ -3,6 +3,8 @@
 #include "core/io/ToileFile.h"
 #include "core/io/ToileNames.h"
 
+#include <set>
+#include <string>
 #include <utility>
 
 namespace toile::io {
@@ -39,10 +41,14 @@ void setList(Json& json, const char* key, const Items& items, Write write) {
     if (!items.empty()) json.set(key, listJson(items, write));
 }
 
-void setUnknown(Json& json, const Json& unknown) {
-    if (const auto* members = unknown.asObject())
-        for (const auto& [key, value] : *members)
-            if (!json.find(key)) json.set(key, value);
+/// Adds those that we do not write ourselves.
+void addUnknown(Json& json, const Json& unknown) {
+    const auto* members = unknown.asObject();
+    if (!members) return;
+    std::set<std::string> ours;
+    for (const auto& [key, value] : *json.asObject()) ours.insert(key);
+    for (const auto& [key, value] : *members)
+        if (!ours.contains(key)) json.add(key, value); // theirs differ from each other
 }
 
 Json vertexJson(const Vertex& vertex) {
@@ -89,7 +95,7 @@ Json foldJson(const Fold& fold) {
     json.set("from", borderPointJson(fold.ends[0])).set("to", borderPointJson(fold.ends[1]));
     if (!fold.between.empty()) json.set("between", points(fold.between));
     json.set("foldAngleDegrees", degrees(fold.angle)).set("stiffnessFactor", fold.stiffnessFactor);
-    setUnknown(json, fold.unknown);
+    addUnknown(json, fold.unknown);
     return json;
 }
 
@@ -111,7 +117,7 @@ Json regionJson(const Region& region) {
     if (!(region.stiffness == StiffnessFactors{})) json.set("stiffness", stiffnessJson(region.stiffness));
     json.set("outline", points(region.outline));
     setList(json, "holes", region.holes, points);
-    setUnknown(json, region.unknown);
+    addUnknown(json, region.unknown);
     return json;
 }
 
@@ -173,7 +179,7 @@ Json pieceJson(const Shared<Piece>& shared) {
     setList(json, "folds", piece.folds, foldJson);
     setList(json, "internalLines", piece.internalLines, internalLineJson);
     setList(json, "regions", piece.regions, regionJson);
-    setUnknown(json, piece.unknown);
+    addUnknown(json, piece.unknown);
     return json;
 }
 
@@ -198,7 +204,7 @@ Json seamJson(const Seam& seam) {
     json.set("order", seam.order);
     setList(json, "sections", seam.sections, sectionJson);
     json.set("sideA", listJson(seam.sides[0], seamPartJson)).set("sideB", listJson(seam.sides[1], seamPartJson));
-    setUnknown(json, seam.unknown);
+    addUnknown(json, seam.unknown);
     return json;
 }
 
@@ -221,7 +227,7 @@ Json fabricJson(const Shared<Fabric>& shared) {
     setList(json, "warpTension", fabric.warpTension, tensionJson);
     setList(json, "weftTension", fabric.weftTension, tensionJson);
     json.set("source", fabric.source);
-    setUnknown(json, fabric.unknown);
+    addUnknown(json, fabric.unknown);
     return json;
 }
 
@@ -243,7 +249,7 @@ Json tackJson(const Tack& tack) {
     json.set("a", clothPointJson(tack.ends[0])).set("b", clothPointJson(tack.ends[1]));
     if (tack.buttonDiameter) json.set("buttonDiameter", millimetres(*tack.buttonDiameter));
     json.set("order", tack.order);
-    setUnknown(json, tack.unknown);
+    addUnknown(json, tack.unknown);
     return json;
 }
 
@@ -259,7 +265,7 @@ Json sceneJson(const simulation::SceneSettings& scene, const Json& unknown) {
     json.set("damping", scene.damping).set("skinOffset", millimetres(scene.skinOffset));
     json.set("bodyFriction", scene.bodyFriction).set("seamTime", scene.seamTime);
     json.set("frameStep", scene.frameStep).set("substeps", scene.substeps).set("selfContact", scene.selfContact);
-    setUnknown(json, unknown);
+    addUnknown(json, unknown);
     return json;
 }
 
@@ -273,7 +279,7 @@ Json documentJson(const document::Document& document) {
     setList(json, "seams", document.pattern.seams, seamJson);
     setList(json, "pins", document.pattern.pins, pinJson);
     setList(json, "tacks", document.pattern.tacks, tackJson);
-    setUnknown(json, document.unknown);
+    addUnknown(json, document.unknown);
     return json;
 }
 

@@ -12,6 +12,7 @@ private slots:
     void writingAndReadingChangesNothing();
     void anErrorNamesFileAndLine();
     void aKeyGivenTwiceIsRefused();
+    void anObjectMayHaveManyKeys();
     void deepNestingIsRefused();
 };
 
@@ -44,6 +45,21 @@ void tst_Json::anErrorNamesFileAndLine() {
 
 void tst_Json::aKeyGivenTwiceIsRefused() {
     QVERIFY(!parseJson("{\"a\": 1, \"a\": 2}"));
+}
+
+void tst_Json::anObjectMayHaveManyKeys() {
+    // Looking through all before it for each would take minutes. The inner object is searched for itself.
+    std::string text = "{\"inner\": {\"k1\": 1}";
+    for (int i = 0; i < 200'000; ++i) text += ",\"k" + std::to_string(i) + "\": " + std::to_string(i);
+    const auto many = parseJson(text + "}");
+    QVERIFY2(many, many ? "" : many.error().text.c_str());
+    QCOMPARE(many->asObject()->size(), std::size_t(200'001));
+    QCOMPARE(*many->find("k199999")->asNumber(), 199999.0);
+    for (const char* again : {"k0", "k31", "k199999", "inner"}) {
+        const auto twice = parseJson(text + ",\"" + again + "\": 0}");
+        QVERIFY(!twice);
+        QCOMPARE(twice.error().text, "the key \"" + std::string(again) + "\" is given twice.");
+    }
 }
 
 void tst_Json::deepNestingIsRefused() {

@@ -20,6 +20,7 @@ private slots:
     void theTextOfVersionOneStaysWhatItIs();
     void lengthsAreRoundedToAMillionthOfAMillimetre();
     void unknownKeysAreKept();
+    void thereMayBeManyUnknownKeys();
     void aMistakeNamesFileLineAndPath_data();
     void aMistakeNamesFileLineAndPath();
     void aNewerVersionIsRefusedWithASentence();
@@ -92,6 +93,16 @@ void tst_ToileFile::unknownKeysAreKept() {
     const std::string written = toileText(*document);
     QCOMPARE(QString::fromStdString(written).count("\"colour\": {"), 7);
     QCOMPARE(toileText(*documentFromText(written)), written);
+}
+
+void tst_ToileFile::thereMayBeManyUnknownKeys() {
+    std::string keys;
+    for (int i = 0; i < 100'000; ++i) keys += ", \"k" + std::to_string(i) + "\": 1"; // looked for one by one: minutes
+    const std::string format = "\"format\": \"toile\"";
+    const auto document = documentFromText(replaced(toileText(tests::everyField()), format, format + keys));
+    QVERIFY2(document, document ? "" : toString(document.error()).c_str());
+    QCOMPARE(document->unknown.asObject()->size(), std::size_t(100'000));
+    QCOMPARE(QString::fromStdString(toileText(*document)).count("\n  \"k"), 100'000);
 }
 
 void tst_ToileFile::aMistakeNamesFileLineAndPath_data() {
