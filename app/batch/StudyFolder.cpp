@@ -52,7 +52,8 @@ Result<void> writeReport(const fs::path& folder, const std::string& text, const 
 }
 
 Result<std::vector<Json>> recordsIn(const fs::path& report) {
-    const fs::path path = fs::is_directory(report) ? report / "results.jsonl" : report;
+    std::error_code ignored; // what cannot be looked at cannot be opened either
+    const fs::path path = fs::is_directory(report, ignored) ? report / "results.jsonl" : report;
     std::ifstream file(path);
     if (!file) return fail(ErrorCode::io, "There is no such report.", {path.string()});
     std::vector<Json> records;

@@ -32,11 +32,12 @@ Result<std::vector<Feature>> chosenFeatures(const StudyOptions& options) {
     std::vector<Feature> all = allFeatures(!options.full);
     if (options.cases.empty()) return all;
     std::vector<Feature> chosen;
+    std::error_code ignored; // what cannot be looked at is no document
     for (const std::string& name : options.cases) {
         const auto found = std::ranges::find(all, name, &Feature::name);
         if (found != all.end()) {
             chosen.push_back(*found);
-        } else if (std::filesystem::exists(name)) {
+        } else if (std::filesystem::exists(name, ignored)) {
             auto garment = garmentIn(name);
             if (!garment) return tl::unexpected(garment.error());
             chosen.push_back(std::move(*garment));
@@ -70,7 +71,8 @@ Result<std::vector<double>> instructionsOfAll(const StudyOptions& options, const
         arguments.emplace_back(word);
     arguments.push_back(folder);
     auto counts = instructionsOf(arguments, countedStepsName, folder);
-    std::filesystem::remove_all(folder);
+    std::error_code ignored; // at worst a folder stays behind
+    std::filesystem::remove_all(folder, ignored);
     std::size_t variants = 0;
     for (const Feature& feature : features) variants += feature.variants.size();
     if (counts && counts->size() != variants)

@@ -111,17 +111,21 @@ bool isPointCache(const fs::path& path) {
 Result<void> madeFolderFor(const fs::path& folder) {
     std::error_code problem;
     fs::create_directory(folder, problem);
-    if (fs::is_directory(folder)) return {};
+    std::error_code ignored;
+    if (fs::is_directory(folder, ignored)) return {};
     return fail(ErrorCode::io, fmt::format("The folder cannot be made: {}.", problem.message()),
                 {.file = folder.string()});
 }
 
 Result<void> holdsNoFrames(const fs::path& folder) {
-    const auto isFrame = [](const fs::directory_entry& entry) {
-        return entry.path().filename().string().starts_with("frame-");
-    };
-    std::error_code unreadable;
-    if (std::ranges::any_of(fs::directory_iterator(folder, unreadable), isFrame))
+    std::error_code problem;
+    auto entry = fs::directory_iterator(folder, problem);
+    const auto isFrame = [&] { return entry->path().filename().string().starts_with("frame-"); };
+    while (!problem && entry != fs::directory_iterator() && !isFrame()) entry.increment(problem);
+    if (problem)
+        return fail(ErrorCode::io, fmt::format("The folder cannot be read: {}.", problem.message()),
+                    {.file = folder.string()});
+    if (entry != fs::directory_iterator())
         return fail(ErrorCode::io, "The folder holds frames of another run: empty it, or name another.",
                     {.file = folder.string()});
     return {};

@@ -24,6 +24,7 @@ private slots:
     void scenesStandBesideTheirGoals();
     void aStudyThatWasStoppedGoesOn();
     void reportsAreCompared();
+    void namesThatAreTooLongAreSaid();
 };
 
 void tst_StudyCommand::aStudyLeavesItsReport() {
@@ -273,6 +274,17 @@ void tst_StudyCommand::reportsAreCompared() {
     QCOMPARE(better.status, 0);
     QCOMPARE(run({"study", "compare", good, folder.filePath("none")}).status, 1);
     QCOMPARE(run({"study", "compare", good}).status, 2);
+}
+
+void tst_StudyCommand::namesThatAreTooLongAreSaid() {
+    const QTemporaryDir folder;
+    const QString longName(300, 'a');
+    for (const QStringList& command : {QStringList{"study", "compare", longName, longName},
+                                       QStringList{"study", "lean", longName, "--out", folder.filePath("lean")}}) {
+        const Finished finished = run(command);
+        QCOMPARE(finished.status, 1);
+        QCOMPARE(finished.errorLines().size(), 1);
+    }
 }
 
 QTEST_APPLESS_MAIN(tst_StudyCommand)

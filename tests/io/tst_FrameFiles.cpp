@@ -39,10 +39,12 @@ private slots:
     void thePointCacheIsAsItsFormatSays();
     void aCacheThatIsNotFinishedLeavesNothing();
     void aFolderHoldsOneFileAFrame();
+    void whatCannotBeWrittenIsSaid_data();
     void whatCannotBeWrittenIsSaid();
 
 private:
     [[nodiscard]] std::filesystem::path in(const char* name) const { return folder_->filePath(name).toStdString(); }
+    void put(const char* name) const { std::ofstream(in(name)) << "mine"; }
     std::unique_ptr<QTemporaryDir> folder_;
 };
 
@@ -78,10 +80,27 @@ void tst_FrameFiles::aFolderHoldsOneFileAFrame() {
              (QStringList{"frame-00000.obj", "frame-00001.obj"}));
 }
 
+void tst_FrameFiles::whatCannotBeWrittenIsSaid_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("a cache where there is no folder") << "no such folder/cache.pc2"
+                                                      << "Cannot be written";
+    QTest::newRow("a cache with a name too long") << QString(300, 'a') + ".pc2"
+                                                  << "Cannot be written";
+    QTest::newRow("a folder where there is none") << "no such folder/frames"
+                                                  << "The folder cannot be made";
+    QTest::newRow("a folder with a name too long") << QString(300, 'a') << "The folder cannot be made";
+    QTest::newRow("a folder with a file's name") << "file"
+                                                 << "The folder cannot be made: File exists.";
+}
+
 void tst_FrameFiles::whatCannotBeWrittenIsSaid() {
-    const auto files = io::FrameFiles::create(in("no such folder") / "cache.pc2", triangle());
+    QFETCH(QString, name);
+    QFETCH(QString, said);
+    put("file");
+    const auto files = io::FrameFiles::create(folder_->filePath(name).toStdString(), triangle());
     QVERIFY(!files);
-    QVERIFY(QString::fromStdString(files.error().text).contains("Cannot be written"));
+    QVERIFY2(QString::fromStdString(files.error().text).contains(said), files.error().text.c_str());
 }
 
 QTEST_APPLESS_MAIN(tst_FrameFiles)
