@@ -6,12 +6,11 @@
 #include "core/base/Extension.h"
 #include "core/io/DrapeExport.h"
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <fmt/format.h>
-#include <fstream>
+#include <string>
+#include <utility>
 
 namespace toile::io {
 namespace {
@@ -21,66 +20,47 @@ namespace fs = std::filesystem;
 static_assert(std::endian::native == std::endian::little, "the point cache is little-endian");
 
 template <class Number>
-void put(std::ostream& out, Number number) {
-    out.write(reinterpret_cast<const char*>(&number), sizeof number);
+void put(std::string& bytes, Number number) {
+    bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-/// One file of plain floats; grows beside its final name, which it gets when it is whole.
+std::string cacheHead(std::size_t points) {
+    std::string head("POINTCACHE2\0", 12);
+    put<std::int32_t>(head, 1); // version
+    put(head, static_cast<std::int32_t>(points));
+    put<float>(head, 0);        // first frame
+    put<float>(head, 1);        // frames of the player for each of ours
+    put<std::int32_t>(head, 0); // how many frames: filled in at the end
+    return head;
+}
+
+/// One file of plain floats, there when it is whole.
 class PointCache : public FrameFiles {
 public:
-    PointCache(fs::path path, std::size_t points)
-        : path_(std::move(path)), growing_(path_.string() + ".part"), points_(points),
-          out_(growing_, std::ios::binary | std::ios::trunc) {
-        constexpr std::array<char, 12> magic{'P', 'O', 'I', 'N', 'T', 'C', 'A', 'C', 'H', 'E', '2', '\0'};
-        out_.write(magic.data(), magic.size());
-        put<std::int32_t>(out_, 1); // version
-        put(out_, static_cast<std::int32_t>(points));
-        put<float>(out_, 0);        // first frame
-        put<float>(out_, 1);        // frames of the player for each of ours
-        put<std::int32_t>(out_, 0); // how many frames: filled in at the end
-    }
-    ~PointCache() override {
-        out_.close();
-        std::error_code ignored;
-        if (!finished_) fs::remove(growing_, ignored);
-    }
+    PointCache(AtomicFile file, std::size_t points) : file_(std::move(file)), points_(points) {}
 
     Result<void> add(std::span<const Vec3> positions) override {
         expects(positions.size() == points_);
+        std::string bytes;
+        bytes.reserve(positions.size() * 3 * sizeof(float));
         for (const Vec3& p : positions)
-            for (int axis = 0; axis < 3; ++axis) put(out_, static_cast<float>(p[axis]));
+            for (int axis = 0; axis < 3; ++axis) put(bytes, static_cast<float>(p[axis]));
         ++frames_;
-        return sound();
+        return file_.append(bytes);
     }
 
     Result<void> finish() override {
-        out_.seekp(countAt);
-        put(out_, frames_);
-        out_.close();
-        if (auto written = sound(); !written) return written;
-        std::error_code problem;
-        fs::rename(growing_, path_, problem);
-        if (problem)
-            return fail(ErrorCode::io, fmt::format("Cannot be written: {}.", problem.message()),
-                        {.file = path_.string()});
-        finished_ = true;
-        return {};
-    }
-
-    [[nodiscard]] Result<void> sound() const {
-        if (out_) return {};
-        return fail(ErrorCode::io, "Cannot be written: is the disk full, or the folder not yours?",
-                    {.file = path_.string()});
+        constexpr std::int64_t countAt = 28;
+        std::string count;
+        put(count, frames_);
+        if (auto written = file_.overwrite(countAt, count); !written) return written;
+        return file_.finish();
     }
 
 private:
-    static constexpr std::streamoff countAt = 28;
-
-    fs::path path_, growing_;
+    AtomicFile file_;
     std::size_t points_;
-    std::ofstream out_;
     std::int32_t frames_ = 0;
-    bool finished_ = false;
 };
 
 fs::path frameIn(const fs::path& folder, int number) {
@@ -145,9 +125,11 @@ Result<void> FrameFiles::checkWritable(const fs::path& path) {
 Result<std::unique_ptr<FrameFiles>> FrameFiles::create(const fs::path& path,
                                                        Shared<simulation::FrameTopology> topology) {
     if (isPointCache(path)) {
-        auto cache = std::make_unique<PointCache>(path, topology->material.size());
-        if (const auto sound = cache->sound(); !sound) return tl::unexpected(sound.error());
-        return cache;
+        const std::size_t points = topology->material.size();
+        auto file = AtomicFile::create(path);
+        if (!file) return tl::unexpected(file.error());
+        if (auto begun = file->append(cacheHead(points)); !begun) return tl::unexpected(begun.error());
+        return std::make_unique<PointCache>(std::move(*file), points);
     }
     if (const auto made = madeFolderFor(path); !made) return tl::unexpected(made.error());
     if (const auto empty = holdsNoFrames(path); !empty) return tl::unexpected(empty.error());

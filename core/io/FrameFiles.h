@@ -16,8 +16,8 @@ public:
     /// Whether `create` would do, asked before long work; makes nothing.
     [[nodiscard]] static Result<void> checkWritable(const std::filesystem::path& path);
     /// A path that ends in .pc2 is one point cache; any other is a folder, made if it is not there, for one
-    /// .obj a frame. Errors: the file or folder cannot be written; the folder holds frames already, so that
-    /// none of an older run stay behind the new ones.
+    /// .obj a frame. Errors: the file or folder cannot be written; there is a folder that ends in .pc2; the folder
+    /// holds frames already, so that none of an older run stay behind the new ones.
     [[nodiscard]] static Result<std::unique_ptr<FrameFiles>> create(const std::filesystem::path& path,
                                                                     Shared<simulation::FrameTopology> topology);
     virtual ~FrameFiles() = default;

@@ -38,6 +38,8 @@ private slots:
     void init() { folder_ = std::make_unique<QTemporaryDir>(); }
     void thePointCacheIsAsItsFormatSays();
     void aCacheThatIsNotFinishedLeavesNothing();
+    void aCacheLeavesItsNeighboursAlone();
+    void aCacheReplacesTheTargetOfALink();
     void aFolderHoldsOneFileAFrame();
     void whatCannotBeWrittenIsSaid_data();
     void whatCannotBeWrittenIsSaid();
@@ -72,6 +74,25 @@ void tst_FrameFiles::aCacheThatIsNotFinishedLeavesNothing() {
     QCOMPARE(QDir(folder_->path()).entryList(QDir::Files | QDir::Hidden).size(), 0);
 }
 
+void tst_FrameFiles::aCacheLeavesItsNeighboursAlone() {
+    put("cache.pc2.part");
+    auto files = io::FrameFiles::create(in("cache.pc2"), triangle());
+    QVERIFY(files && (*files)->add(low) && (*files)->finish());
+    std::string kept;
+    std::ifstream(in("cache.pc2.part")) >> kept;
+    QCOMPARE(kept, std::string("mine"));
+    QCOMPARE(QDir(folder_->path()).entryList(QDir::Files | QDir::Hidden).size(), 2);
+}
+
+void tst_FrameFiles::aCacheReplacesTheTargetOfALink() {
+    put("target.pc2");
+    std::filesystem::create_symlink("target.pc2", in("link.pc2"));
+    auto files = io::FrameFiles::create(in("link.pc2"), triangle());
+    QVERIFY(files && (*files)->add(low) && (*files)->finish());
+    QVERIFY(std::filesystem::is_symlink(in("link.pc2")));
+    QCOMPARE(std::filesystem::file_size(in("target.pc2")), std::uintmax_t(32 + 3 * 12));
+}
+
 void tst_FrameFiles::aFolderHoldsOneFileAFrame() {
     auto files = io::FrameFiles::create(in("frames"), triangle());
     QVERIFY(files);
@@ -87,6 +108,8 @@ void tst_FrameFiles::whatCannotBeWrittenIsSaid_data() {
                                                       << "Cannot be written";
     QTest::newRow("a cache with a name too long") << QString(300, 'a') + ".pc2"
                                                   << "Cannot be written";
+    QTest::newRow("a cache with a folder's name") << "folder.pc2"
+                                                  << "it is not a regular file";
     QTest::newRow("a folder where there is none") << "no such folder/frames"
                                                   << "The folder cannot be made";
     QTest::newRow("a folder with a name too long") << QString(300, 'a') << "The folder cannot be made";
@@ -98,6 +121,7 @@ void tst_FrameFiles::whatCannotBeWrittenIsSaid() {
     QFETCH(QString, name);
     QFETCH(QString, said);
     put("file");
+    std::filesystem::create_directory(in("folder.pc2"));
     const auto files = io::FrameFiles::create(folder_->filePath(name).toStdString(), triangle());
     QVERIFY(!files);
     QVERIFY2(QString::fromStdString(files.error().text).contains(said), files.error().text.c_str());
