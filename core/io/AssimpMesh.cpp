@@ -31,6 +31,18 @@ bool isCalledBody(std::string name) {
     return name == "body";
 }
 
+/// assimp numbers the primitives of a glTF mesh: "body-0", "body-1".
+std::string withoutNumber(const std::string& name) {
+    const auto dash = name.find_last_not_of("0123456789");
+    const bool numbered = dash != std::string::npos && name[dash] == '-' && dash + 1 < name.size();
+    return numbered ? name.substr(0, dash) : name;
+}
+
+/// What a modelling program shows as the name of a part is the node's in glTF, where meshes have names of their own.
+bool isBody(const aiNode& node, const aiMesh& mesh) {
+    return isCalledBody(node.mName.C_Str()) || isCalledBody(withoutNumber(mesh.mName.C_Str()));
+}
+
 /// FBX states its axes but assimp does not apply them: which coordinate is to the side, up and to the front, and its
 /// sign.
 struct Axes {
@@ -62,15 +74,15 @@ Axes axesOf(const aiScene& scene) {
 class Collector {
 public:
     explicit Collector(const aiScene& scene) : scene_(scene), axes_(axesOf(scene)) {
-        bool others = false;
-        for (unsigned m = 0; m < scene.mNumMeshes; ++m)
-            (isCalledBody(scene.mMeshes[m]->mName.C_Str()) ? bodyNamed_ : others) = true;
-        head.onlyBody = bodyNamed_ && others;
+        lookAt(*scene.mRootNode);
+        head.onlyBody = hasBody_ && hasOthers_;
     }
 
     void add(const aiNode& node, const aiMatrix4x4& parent) {
         const aiMatrix4x4 here = parent * node.mTransformation;
-        for (unsigned m = 0; m < node.mNumMeshes; ++m) add(*scene_.mMeshes[node.mMeshes[m]], here);
+        for (unsigned m = 0; m < node.mNumMeshes; ++m)
+            if (const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[m]]; !head.onlyBody || isBody(node, mesh))
+                add(mesh, here);
         for (unsigned c = 0; c < node.mNumChildren; ++c) add(*node.mChildren[c], here);
     }
 
@@ -78,8 +90,13 @@ public:
     std::string vertices, triangles;
 
 private:
+    void lookAt(const aiNode& node) {
+        for (unsigned m = 0; m < node.mNumMeshes; ++m)
+            (isBody(node, *scene_.mMeshes[node.mMeshes[m]]) ? hasBody_ : hasOthers_) = true;
+        for (unsigned c = 0; c < node.mNumChildren; ++c) lookAt(*node.mChildren[c]);
+    }
+
     void add(const aiMesh& mesh, const aiMatrix4x4& transform) {
-        if (head.onlyBody && !isCalledBody(mesh.mName.C_Str())) return;
         const auto first = static_cast<std::int32_t>(head.vertices);
         for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
             const aiVector3D at = transform * mesh.mVertices[v];
@@ -101,7 +118,7 @@ private:
 
     const aiScene& scene_;
     Axes axes_;
-    bool bodyNamed_ = false;
+    bool hasBody_ = false, hasOthers_ = false;
 };
 
 /// In the child: the answer to be sent home.

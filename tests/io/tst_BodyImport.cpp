@@ -81,6 +81,8 @@ class tst_BodyImport : public QObject {
 private slots:
     void aBodyIsTheSameAfterWritingAndReading();
     void someoneElsesProgramReadsOurGlb();
+    void aPartCalledBodyIsTakenAlone_data();
+    void aPartCalledBodyIsTakenAlone();
     void cornersOfTrianglesAreWelded();
     void theUnitIsJudgedByTheHeight_data();
     void theUnitIsJudgedByTheHeight();
@@ -135,6 +137,48 @@ void tst_BodyImport::someoneElsesProgramReadsOurGlb() {
     QVERIFY2(mesh, mesh ? "" : toString(mesh.error()).c_str());
     QCOMPARE(mesh->triangles.size(), body.mesh.triangles.size());
     QVERIFY(std::abs(geometry::signedVolume(*mesh) - geometry::signedVolume(body.mesh)) < 1e-6); // floats
+}
+
+void tst_BodyImport::aPartCalledBodyIsTakenAlone_data() {
+    QTest::addColumn<QString>("node");
+    QTest::addColumn<QString>("mesh");
+    QTest::addColumn<int>("primitives"); // of the part
+    QTest::addColumn<bool>("alone");
+    QTest::newRow("by its mesh") << "Ann"
+                                 << "body" << 1 << true;
+    QTest::newRow("by its node") << "Body"
+                                 << "Mesh.001" << 1 << true;
+    QTest::newRow("by a mesh of two primitives") << "Ann"
+                                                 << "body" << 2 << true;
+    QTest::newRow("by a node of two primitives") << "body"
+                                                 << "Mesh.001" << 2 << true;
+    QTest::newRow("not by a longer name") << "Ann"
+                                          << "body-suit" << 1 << false;
+}
+
+void tst_BodyImport::aPartCalledBodyIsTakenAlone() {
+    QFETCH(QString, node);
+    QFETCH(QString, mesh);
+    QFETCH(int, primitives);
+    QFETCH(bool, alone);
+    auto glb = io::glbOf({"Ann", egg(1.7), {}, {}});
+    const auto named = [](const QString& name) { return Json(Json::Object{{"name", name.toStdString()}}); };
+    const Json primitive = glb.json.find("meshes")->asArray()->front().find("primitives")->asArray()->front();
+    Json part = named(mesh), hat = named("hat"), partNode = named(node), hatNode = named("hat"), asset;
+    for (Json* each : {&part, &hat}) each->set("primitives", Json(Json::Array{primitive}));
+    if (primitives == 2) part.set("primitives", Json(Json::Array{primitive, primitive}));
+    hatNode.set("mesh", 1).set("translation", Json(Json::Array{0.5, 0.3, 0}));
+    asset.set("version", "2.0"); // without our extras it goes through assimp
+    glb.json.set("asset", asset).set("meshes", Json(Json::Array{part, hat}));
+    glb.json.set("nodes", Json(Json::Array{partNode.set("mesh", 0), hatNode}));
+    glb.json.set("scenes", Json(Json::Array{Json(Json::Object{{"nodes", Json(Json::Array{0, 1})}})}));
+    std::vector<Warning> warnings;
+    const auto read = readBodyMesh(put("parts.glb", io::toBytes(glb)), {}, &warnings);
+    QVERIFY2(read, read ? "" : toString(read.error()).c_str());
+    QVERIFY(std::abs(heightOf(*read) - (alone ? 1.7 : 2.0)) < 1e-6); // the hat is 0.3 m higher
+    QCOMPARE(std::ranges::count_if(warnings,
+                                   [](const Warning& said) { return said.text.find("\"body\"") != std::string::npos; }),
+             alone ? 1 : 0);
 }
 
 void tst_BodyImport::cornersOfTrianglesAreWelded() {
