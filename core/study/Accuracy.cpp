@@ -59,7 +59,7 @@ Result<Reference> referenceOf(const Scene& scene, std::stop_token stop) {
 
 double bandOf(const Reference& reference) {
     constexpr double rounding = 1e-12; // [m]
-    return std::max(3 * reference.selfError, rounding);
+    return std::max(bandFactor * reference.selfError, rounding);
 }
 
 AccuracyPlan accuracyPlan(const std::vector<std::string>& scenes, bool quick) {
