@@ -26,16 +26,48 @@ std::string linesOf(const std::vector<Json>& records) {
     return lines;
 }
 
+/// Of the same run: what is measured later takes its place.
+bool isSame(const Json& a, const Json& b) {
+    return areEqual(a.find("scene"), b.find("scene")) && areEqual(a.find("method"), b.find("method"));
+}
+
+void put(std::vector<Json>& records, const Json& record) {
+    const auto same = std::ranges::find_if(records, [&](const Json& known) { return isSame(known, record); });
+    if (same == records.end()) records.push_back(record);
+    else *same = record;
+}
+
+/// Lines that are no records, as the last of a program that was killed, are dropped.
+std::vector<Json> recordsOf(const std::filesystem::path& file) {
+    std::vector<Json> records;
+    std::ifstream lines(file);
+    for (std::string line; std::getline(lines, line);)
+        if (auto record = parseJson(line)) put(records, *record);
+    return records;
+}
+
+/// "results.old.jsonl" beside "results.jsonl".
+std::filesystem::path oldFileOf(std::filesystem::path file) {
+    return file.replace_extension(".old" + file.extension().string());
+}
+
+Result<void> keepAside(const std::filesystem::path& file, const std::vector<Json>& records) {
+    if (records.empty()) return {};
+    std::vector<Json> all = recordsOf(file);
+    for (const Json& record : records) put(all, record);
+    return writeFileAtomically(file, linesOf(all));
+}
+
 } // namespace
 
 Result<RecordBook> RecordBook::opened(const std::filesystem::path& file, const study::Circumstances& circumstances,
                                       bool fresh) {
     RecordBook book;
     book.file_ = file;
-    std::ifstream old(book.file_);
-    for (std::string line; !fresh && std::getline(old, line);)
-        if (auto record = parseJson(line); record && isOf(*record, circumstances))
-            book.before_.push_back(std::move(*record));
+    std::vector<Json> others;
+    for (const Json& record : recordsOf(file))
+        (!fresh && isOf(record, circumstances) ? book.before_ : others).push_back(record);
+    if (auto kept = keepAside(oldFileOf(file), others); !kept) return tl::unexpected(kept.error());
     if (auto written = writeFileAtomically(book.file_, linesOf(book.before_)); !written)
         return tl::unexpected(written.error());
     return book;
@@ -44,10 +76,7 @@ Result<RecordBook> RecordBook::opened(const std::filesystem::path& file, const s
 std::vector<Json> RecordBook::standing(const std::vector<Json>& keys) const {
     std::vector<Json> found;
     for (const Json& key : keys) {
-        const auto record = std::ranges::find_if(before_, [&](const Json& known) {
-            return areEqual(known.find("scene"), key.find("scene")) &&
-                   areEqual(known.find("method"), key.find("method"));
-        });
+        const auto record = std::ranges::find_if(before_, [&](const Json& known) { return isSame(known, key); });
         if (record == before_.end()) return {};
         found.push_back(*record);
     }
@@ -66,6 +95,14 @@ Result<void> RecordBook::append(const std::vector<Json>& records) {
     if (!file) return fail(ErrorCode::io, "The records cannot be written.", {file_.string()});
     records_.insert(records_.end(), records.begin(), records.end());
     return {};
+}
+
+std::vector<Json> RecordBook::records() const {
+    std::vector<Json> all = records_;
+    for (const Json& record : before_)
+        if (std::ranges::none_of(records_, [&](const Json& known) { return isSame(known, record); }))
+            all.push_back(record);
+    return all;
 }
 
 std::string RecordBook::standingText() const {

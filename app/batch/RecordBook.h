@@ -15,8 +15,9 @@ namespace toile::batch {
 /// and a study that was stopped goes on where it was.
 class RecordBook {
 public:
-    /// Takes up the records in the file that this program wrote on this processor; fresh: none. Lines that are no
-    /// records, as the last of a program that was killed, are dropped.
+    /// Takes up the records in the file that this program wrote on this processor; fresh: none. Others are kept beside
+    /// it, in results.old.jsonl of results.jsonl. Lines that are no records, as the last of a program that was killed,
+    /// are dropped.
     [[nodiscard]] static Result<RecordBook> opened(const std::filesystem::path& file,
                                                    const study::Circumstances& circumstances, bool fresh);
 
@@ -32,8 +33,8 @@ public:
         return result;
     }
 
-    /// Of all parts so far, in their order.
-    [[nodiscard]] const std::vector<Json>& records() const { return records_; }
+    /// Of all parts so far, in their order; then those that were taken up for parts which nobody asked for.
+    [[nodiscard]] std::vector<Json> records() const;
     /// "40 of 120 records stood in DIR already; …": empty where none did.
     [[nodiscard]] std::string standingText() const;
 
@@ -43,8 +44,9 @@ private:
     [[nodiscard]] Result<void> append(const std::vector<Json>& records);
 
     std::filesystem::path file_;
-    std::vector<Json> before_, records_;
-    std::size_t taken_ = 0; ///< of those before
+    std::vector<Json> before_;  ///< taken up from the file
+    std::vector<Json> records_; ///< of the parts so far
+    std::size_t taken_ = 0;     ///< of these, how many are from before
 };
 
 } // namespace toile::batch

@@ -23,6 +23,7 @@ private slots:
     void instructionsAreCountedOrTheReasonIsSaid();
     void scenesStandBesideTheirGoals();
     void aStudyThatWasStoppedGoesOn();
+    void recordsThatNobodyAskedForAreKept();
     void reportsAreCompared();
     void namesThatAreTooLongAreSaid();
 };
@@ -253,6 +254,35 @@ void tst_StudyCommand::aStudyThatWasStoppedGoesOn() {
     const Finished again = run(command);
     QVERIFY(again.out.contains("40 of 40 records stood in"));
     QCOMPARE(contentOf(accuracy + "/results.jsonl"), report);
+}
+
+void tst_StudyCommand::recordsThatNobodyAskedForAreKept() {
+    const QTemporaryDir folder;
+    const QString records = folder.filePath("results.jsonl"), old = folder.filePath("results.old.jsonl");
+    const auto lean = [&](const QStringList& more) {
+        return run(QStringList{"study", "lean"} + more +
+                   QStringList{"--repetitions", "1", "--quiet", "--out", folder.path()})
+            .out;
+    };
+    lean({"hands", "pins"});
+    const QList<QByteArray> all = contentOf(records).trimmed().split('\n');
+    QCOMPARE(all.size(), 6);
+    QVERIFY(lean({"pins"}).contains("2 of 2 records stood in"));
+    QCOMPARE(contentOf(records).trimmed().split('\n'), all.mid(4) + all.first(4)); // those of pins first
+    QVERIFY(lean({"hands"}).contains("4 of 4 records stood in"));
+    QVERIFY(!QFile::exists(old));
+
+    const QByteArray older = contentOf(records).replace("\"program\": \"toile-cli ", "\"program\": \"toile-cli 0.0.");
+    QFile file(records);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(older) == older.size());
+    file.close();
+    QVERIFY(!lean({"pins"}).contains("already"));
+    QCOMPARE(contentOf(old), older);
+    QCOMPARE(contentOf(records).count('\n'), 2);
+    const QByteArray newer = contentOf(records);
+    QVERIFY(!lean({"pins", "--fresh"}).contains("already"));
+    QCOMPARE(contentOf(old).count('\n'), 6); // the newer ones of pins took the place of the older
+    for (const QByteArray& line : newer.trimmed().split('\n')) QVERIFY(contentOf(old).contains(line));
 }
 
 void tst_StudyCommand::reportsAreCompared() {
