@@ -38,7 +38,7 @@ struct GoBook {
             auto go = kept ? readBack(*kept) : std::nullopt;
             return go ? Result<Go>(std::move(*go)) : run();
         };
-        return book.part({key}, from, run, recordsOf);
+        return book.part({key}, 1, from, run, recordsOf);
     }
 };
 

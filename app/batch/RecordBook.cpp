@@ -31,6 +31,15 @@ bool isSame(const Json& a, const Json& b) {
     return areEqual(a.find("scene"), b.find("scene")) && areEqual(a.find("method"), b.find("method"));
 }
 
+/// Whether it is as good as if it were measured now. A drape that is kept by itself has no cost, and stands.
+bool isGoodEnough(const Json& record, int repetitions) {
+    const Json* cost = record.find("cost");
+    if (!cost) return true;
+    const Json *count = cost->find("repetitions"), *noisy = cost->find("noisy");
+    const bool isNoisy = noisy && noisy->asBool() && *noisy->asBool();
+    return count && count->asNumber() && *count->asNumber() >= repetitions && !isNoisy;
+}
+
 void put(std::vector<Json>& records, const Json& record) {
     const auto same = std::ranges::find_if(records, [&](const Json& known) { return isSame(known, record); });
     if (same == records.end()) records.push_back(record);
@@ -73,11 +82,11 @@ Result<RecordBook> RecordBook::opened(const std::filesystem::path& file, const s
     return book;
 }
 
-std::vector<Json> RecordBook::standing(const std::vector<Json>& keys) const {
+std::vector<Json> RecordBook::standing(const std::vector<Json>& keys, int repetitions) const {
     std::vector<Json> found;
     for (const Json& key : keys) {
         const auto record = std::ranges::find_if(before_, [&](const Json& known) { return isSame(known, key); });
-        if (record == before_.end()) return {};
+        if (record == before_.end() || !isGoodEnough(*record, repetitions)) return {};
         found.push_back(*record);
     }
     return found;
@@ -89,7 +98,12 @@ const std::vector<Json>& RecordBook::take(const std::vector<Json>& known) {
     return known;
 }
 
-Result<void> RecordBook::append(const std::vector<Json>& records) {
+Result<void> RecordBook::append(std::vector<Json> records, int repetitions) {
+    for (Json& record : records)
+        if (const Json* found = record.find("cost")) {
+            Json cost = *found;
+            record.set("cost", cost.set("repetitions", repetitions));
+        }
     std::ofstream file(file_, std::ios::app);
     file << linesOf(records) << std::flush;
     if (!file) return fail(ErrorCode::io, "The records cannot be written.", {file_.string()});

@@ -22,14 +22,15 @@ public:
                                                    const study::Circumstances& circumstances, bool fresh);
 
     /// A part of the study: read from its records where they stand, else run now and its records written. keys: what
-    /// they are known by, "scene" and "method" of each. from(records) and run() give the part, of(part) its records.
+    /// they are known by, "scene" and "method" of each. repetitions: of each run; a record of fewer does not stand, nor
+    /// one whose time is noisy. from(records) and run() give the part, of(part) its records.
     template <class From, class Run, class Of>
-    [[nodiscard]] auto part(const std::vector<Json>& keys, const From& from, const Run& run, const Of& of)
-        -> decltype(run()) {
-        if (const std::vector<Json> known = standing(keys); !known.empty()) return from(take(known));
+    [[nodiscard]] auto part(const std::vector<Json>& keys, int repetitions, const From& from, const Run& run,
+                            const Of& of) -> decltype(run()) {
+        if (const std::vector<Json> known = standing(keys, repetitions); !known.empty()) return from(take(known));
         auto result = run();
         if (result)
-            if (auto written = append(of(*result)); !written) return tl::unexpected(written.error());
+            if (auto written = append(of(*result), repetitions); !written) return tl::unexpected(written.error());
         return result;
     }
 
@@ -39,9 +40,10 @@ public:
     [[nodiscard]] std::string standingText() const;
 
 private:
-    [[nodiscard]] std::vector<Json> standing(const std::vector<Json>& keys) const; ///< empty unless all stand
+    /// Empty unless all stand.
+    [[nodiscard]] std::vector<Json> standing(const std::vector<Json>& keys, int repetitions) const;
     const std::vector<Json>& take(const std::vector<Json>& known);
-    [[nodiscard]] Result<void> append(const std::vector<Json>& records);
+    [[nodiscard]] Result<void> append(std::vector<Json> records, int repetitions);
 
     std::filesystem::path file_;
     std::vector<Json> before_;  ///< taken up from the file

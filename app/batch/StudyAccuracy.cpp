@@ -64,7 +64,8 @@ int studyAccuracy(const StudyOptions& options, std::stop_token stop) {
     for (std::size_t i = 0; i < plan.cases.size(); ++i) {
         const Progress progress = bar.progress(i, plan.cases.size());
         auto result = book->part(
-            study::keysOf(plan.cases[i]), [&](const auto& known) { return study::resultFrom(plan.cases[i], known); },
+            study::keysOf(plan.cases[i]), plan.repetitions,
+            [&](const auto& known) { return study::resultFrom(plan.cases[i], known); },
             [&] { return study::studied(plan.cases[i], plan.repetitions, stop, progress); },
             [&](const study::CaseResult& run) { return study::recordsOf(run, circumstances); });
         if (!result) {

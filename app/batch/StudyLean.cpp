@@ -99,7 +99,8 @@ Result<std::vector<FeatureResult>> run(const StudyOptions& options, std::stop_to
     for (const Feature& feature : *features) {
         const Progress progress = bar.progress(results.size(), features->size());
         auto result = book->part(
-            keysOf(feature, settings), [&](const auto& known) { return resultFrom(feature, known); },
+            keysOf(feature, settings), settings.repetitions,
+            [&](const auto& known) { return resultFrom(feature, known); },
             [&] {
                 auto run = studied(feature, settings, stop, progress);
                 if (run && settings.counted)

@@ -54,7 +54,8 @@ Result<std::vector<Outcome>> run(const StudyOptions& options, const std::stop_to
         if (options.repetitions > 0) effort.repetitions = options.repetitions;
         effort.progress = bar.progress(outcomes.size(), cases->size());
         auto outcome = book->part(
-            keysOf(one), [&](const auto& known) -> Result<Outcome> { return outcomeFrom(one, known); },
+            keysOf(one), effort.repetitions,
+            [&](const auto& known) -> Result<Outcome> { return outcomeFrom(one, known); },
             [&]() -> Result<Outcome> {
                 auto rows = one.run(effort);
                 if (!rows) return tl::unexpected(rows.error());

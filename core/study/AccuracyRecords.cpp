@@ -50,6 +50,7 @@ Json outcomeOf(const RunResult& run) {
 Json costOf(const RunResult& run) {
     Json json;
     json.set("cpuSecondsMinimum", run.secondsLeast).set("cpuSecondsMedian", run.secondsMedian);
+    if (run.noisy) json.set("noisy", true);
     json.set("parts", run.report.parts).set("newtonIterations", run.report.newtonIterations);
     json.set("solves", run.report.factorizations).set("cgIterations", run.report.gradientIterations);
     return json.set("rejectedSteps", run.report.repeated);

@@ -24,6 +24,7 @@ private slots:
     void scenesStandBesideTheirGoals();
     void aStudyThatWasStoppedGoesOn();
     void recordsThatNobodyAskedForAreKept();
+    void recordsOfTooFewOrNoisyRunsDoNotStand();
     void reportsAreCompared();
     void namesThatAreTooLongAreSaid();
 };
@@ -229,7 +230,8 @@ void tst_StudyCommand::aStudyThatWasStoppedGoesOn() {
     const QTemporaryDir folder;
     const QString out = folder.filePath("lean"), records = out + "/results.jsonl";
     const auto lean = [&](const QStringList& more) {
-        const Finished finished = run(QStringList{"study", "lean"} + more + QStringList{"--quiet", "--out", out});
+        const Finished finished = // once: what is noisy would be measured again
+            run(QStringList{"study", "lean"} + more + QStringList{"--repetitions", "1", "--quiet", "--out", out});
         if (finished.status != 0) qWarning("%s", qPrintable(finished.err));
         return finished.out;
     };
@@ -283,6 +285,32 @@ void tst_StudyCommand::recordsThatNobodyAskedForAreKept() {
     QVERIFY(!lean({"pins", "--fresh"}).contains("already"));
     QCOMPARE(contentOf(old).count('\n'), 6); // the newer ones of pins took the place of the older
     for (const QByteArray& line : newer.trimmed().split('\n')) QVERIFY(contentOf(old).contains(line));
+}
+
+void tst_StudyCommand::recordsOfTooFewOrNoisyRunsDoNotStand() {
+    const QTemporaryDir folder;
+    const QString records = folder.filePath("results.jsonl");
+    const auto stands = [&](const char* repetitions) {
+        return run({"study", "lean", "pins", "--repetitions", repetitions, "--quiet", "--out", folder.path()})
+            .out.contains("2 of 2 records stood in");
+    };
+    const auto replace = [&](const char* before, const char* after) {
+        const QByteArray text = contentOf(records).replace(before, after);
+        QFile file(records);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+        QCOMPARE(text.count(after), 2);
+    };
+    QVERIFY(!stands("1"));
+    QVERIFY(stands("1"));
+    QVERIFY(!stands("2"));
+    QVERIFY(QFile::remove(records));
+    QVERIFY(!stands("1"));
+    replace("\"repetitions\": 1", "\"repetitions\": 3"); // as if; three may be noisy
+    QVERIFY(stands("2"));
+    QVERIFY(stands("3"));
+    replace("\"repetitions\": 3", "\"repetitions\": 3, \"noisy\": true");
+    QVERIFY(!stands("1"));
+    QVERIFY(stands("1"));
 }
 
 void tst_StudyCommand::reportsAreCompared() {

@@ -159,7 +159,11 @@ void tst_Accuracy::aResultIsReadFromItsRecords() {
     result->runs[1].solved = result->runs[1].inBand = false;
     result->runs[1].error = {};
     result->runs[3].solved = false;
+    result->runs[2].secondsLeast = 1;
+    result->runs[2].secondsMedian = 2;
+    result->runs[2].noisy = true;
     const auto written = study::recordsOf(*result, here);
+    QVERIFY(*written[2].find("cost")->find("noisy")->asBool());
     std::vector<Json> read;
     for (const Json& record : written) read.push_back(*parseJson(toLine(record)));
     const auto again = study::resultFrom(which, read);

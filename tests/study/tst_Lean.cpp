@@ -131,7 +131,9 @@ void tst_Lean::aResultIsReadFromItsRecords() {
     feature.variants[1].role = Role::unused; // a row that fails
     FeatureResult result = resultOf(feature);
     for (Row& row : result.rows) row.taken.instructions = 123456;
+    result.rows[0].taken.frame = {1, 2, true};
     const auto written = recordsOf(result, {});
+    QVERIFY(*written[0].find("cost")->find("noisy")->asBool());
     std::vector<Json> read;
     for (const Json& record : written) read.push_back(*parseJson(toLine(record)));
     const FeatureResult again = resultFrom(feature, read);

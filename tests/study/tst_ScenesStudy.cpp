@@ -134,7 +134,11 @@ void tst_ScenesStudy::whatIsMissedIsSaid() {
 }
 
 void tst_ScenesStudy::anOutcomeIsReadFromItsRecords() {
-    const auto written = recordsOf(outcomeOfInvented(), {});
+    Outcome outcome = outcomeOfInvented();
+    outcome.rows[1].time = {1, 1.5, true};
+    const auto written = recordsOf(outcome, {});
+    QVERIFY(!written[0].find("cost")->find("noisy"));
+    QVERIFY(*written[1].find("cost")->find("noisy")->asBool());
     std::vector<Json> read;
     for (const Json& record : written) read.push_back(*parseJson(toLine(record)));
     QVERIFY(recordsOf(outcomeFrom(invented(), read), {}) == written);

@@ -28,6 +28,7 @@ Json recordOf(const FeatureResult& result, const Row& row) {
     cost.set("steppingBytes", taken.stepping.bytes);
     building.set("blocks", taken.building.blocks).set("bytes", taken.building.bytes);
     cost.set("cpuSecondsMinimum", taken.frame.least).set("cpuSecondsMedian", taken.frame.median);
+    if (taken.frame.noisy) cost.set("noisy", true);
     if (taken.instructions) cost.set("instructions", *taken.instructions);
     record.set("scene", sceneRecord(result.name, row.what, taken.hashes))
         .set("method", methodOf(row.role, taken.frames, taken.instructions.has_value()));

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace toile::study::scenes {
 namespace {
@@ -112,7 +113,9 @@ Json recordOf(const std::string& scene, const Row& row) {
     record.set("result", result);
     for (const auto& [group, members] : {std::pair{"goal", goal}, {"elsewhere", elsewhere}, {"rounding", rounding}})
         if (!members.isNull()) record.set(group, members);
-    record.set("cost", cost.set("cpuSecondsMinimum", row.time.least).set("cpuSecondsMedian", row.time.median));
+    cost.set("cpuSecondsMinimum", row.time.least).set("cpuSecondsMedian", row.time.median);
+    if (row.time.noisy) cost.set("noisy", true);
+    record.set("cost", std::move(cost));
     if (!row.note.empty()) record.set("note", row.note);
     if (row.hasGoal() || !row.failure.empty()) record.set("verdict", row.reached() ? "PASS" : "FAIL");
     if (!row.failure.empty()) record.set("reason", row.failure);
