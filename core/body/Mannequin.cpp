@@ -56,6 +56,26 @@ std::optional<Error> firstImpossible(const Measurements& m) {
                  {.path = wrong->name}};
 }
 
+/// Each measurement may be possible by itself and levels still lie in the wrong order.
+std::optional<Error> firstCrossed(const Measurements& m) {
+    constexpr double least = 0.005; // between a level and the next [m]
+    const Levels y = levelsOf(m);
+    struct Order {
+        const char* name;
+        double gap; ///< [m]
+        const char* why;
+    };
+    const Order orders[] = {
+        {"insideLeg", y.waist - y.crotch, "The crotch would lie above the waist."},
+        {"underBust", y.underBust - y.waist,
+         "It is too much less than the bust: the breast would reach below the waist."},
+        {"bustHeight", y.acromion - y.bust, "The bust would lie above the shoulders."},
+        {"shoulderSlope", y.sideNeck - 0.014 - y.acromion, "The shoulders would end above the neck."}};
+    const Order* const wrong = std::ranges::find_if(orders, [](const Order& o) { return !(o.gap >= least); });
+    if (wrong == std::end(orders)) return std::nullopt;
+    return Error{ErrorCode::invalidInput, wrong->why, {.path = wrong->name}};
+}
+
 std::vector<Girth> measuredGirths(const geometry::TriangleMesh& mesh, const MannequinShape& shape,
                                   const Girths& asked) {
     std::vector<Girth> girths;
@@ -134,6 +154,7 @@ const Girth& worstOf(const std::vector<Girth>& girths) {
 
 Result<Mannequin> makeMannequin(const Measurements& m) {
     if (auto impossible = firstImpossible(m)) return tl::unexpected(*impossible);
+    if (auto crossed = firstCrossed(m)) return tl::unexpected(*crossed);
     const Girths asked = askedGirths(m);
     Girths aims = asked;
     ShapeFactors factors;

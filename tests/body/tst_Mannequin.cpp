@@ -228,6 +228,8 @@ void tst_Mannequin::impossibleMeasurementsAreNamed_data() {
     QTest::newRow("a wasp's waist") << "waist" << Measurements{.waist = 0.10};
     QTest::newRow("no number") << "bust" << Measurements{.bust = std::nan("")};
     QTest::newRow("under-bust wider than bust") << "underBust" << Measurements{.underBust = 0.95};
+    QTest::newRow("breasts down to the waist")
+        << "underBust" << Measurements{.bust = 1.40, .underBust = 0.56, .waist = 0.48};
     QTest::newRow("legs up to the waist") << "insideLeg" << Measurements{.insideLeg = 1.02};
     QTest::newRow("thigh as wide as the hip") << "thigh" << Measurements{.thigh = 0.90};
 }
