@@ -24,6 +24,7 @@ private Q_SLOTS:
     void aMeshThatArrivesLeavesWhatIsBeingTyped();
     void spacePressesTheFieldThatHasTheFocus();
     void theSheetStaysWhereItWasScrolledTo();
+    void anAvatarIsNamedByItsFile();
 };
 
 namespace {
@@ -128,6 +129,17 @@ void tst_PropertyEditor::theSheetStaysWhereItWasScrolledTo() {
     QCOMPARE(sheet.scrollBar().value(), before);
     sheet.bench.workbench.select({SceneItem{}}); // of another thing it begins anew
     QCOMPARE(sheet.scrollBar().value(), 0);
+}
+
+void tst_PropertyEditor::anAvatarIsNamedByItsFile() {
+    Sheet sheet;
+    document::Document document = sheet.bench.workbench.document();
+    document.avatarFile = "/somewhere/far/away/body.glb";
+    sheet.bench.workbench.startFrom(document, {}, false);
+    sheet.bench.workbench.select({SceneItem{}});
+    const QLabel& avatar = sheet.field<QLabel>("avatar");
+    QCOMPARE(avatar.text(), QStringLiteral("body.glb"));
+    QCOMPARE(avatar.toolTip(), QStringLiteral("/somewhere/far/away/body.glb"));
 }
 
 QTEST_MAIN(tst_PropertyEditor)

@@ -3,6 +3,7 @@
 #include "ui/panels/PropertySheet.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace toile::ui {
 namespace {
@@ -63,7 +64,8 @@ PropertySheet sceneSheet(const Document& document) {
                               tip});
     };
     const QString avatar = QString::fromStdString(document.avatarFile);
-    sheet.rows.push_back({QStringLiteral("avatar"), tr("Avatar"), FactRow{avatar.isEmpty() ? tr("none") : avatar}});
+    const QString name = avatar.isEmpty() ? tr("none") : QFileInfo(avatar).fileName();
+    sheet.rows.push_back({QStringLiteral("avatar"), tr("Avatar"), FactRow{name}, avatar});
     sheet.rows.push_back({QStringLiteral("gravity"), tr("Gravity"),
                           NumberRow{Quantity::acceleration, -scene.gravity.y, -100, 100, 0.5,
                                     setting([](SceneSettings& s, double value) {
