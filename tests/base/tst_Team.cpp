@@ -33,9 +33,9 @@ private slots:
 
     void helpersThatHaveJustBegunAreDismissedAsWell() {
         for (int round = 0; round < 2000; ++round) {
-            int times = 0;
-            Team(3).run(1 + round % 3, [&](int i) { times += i == 0; });
-            QCOMPARE(times, 1);
+            std::vector<int> times(static_cast<std::size_t>(1 + round % 3), 0);
+            Team(3).run(1 + round % 3, [&](int i) { ++times[static_cast<std::size_t>(i)]; });
+            QCOMPARE(times, std::vector<int>(times.size(), 1));
         }
     }
 
