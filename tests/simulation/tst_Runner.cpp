@@ -368,9 +368,9 @@ void tst_Runner::aMotionThatIsRefusedIsSaidAndMovesNothing() {
     runner.moveBody(wrong); // while it plays: more frames come than are taken
     const auto seen = waitForFrame(runner, [](const Frame& frame) {
         QTest::qSleep(20);
-        return !frame.message.empty() || frame.time > 1;
+        return !frame.message.empty();
     });
-    QVERIFY(seen && !seen->message.empty());
+    QVERIFY(seen);
 }
 
 namespace {
