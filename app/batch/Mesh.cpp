@@ -7,6 +7,7 @@
 #include "core/base/AtomicFile.h"
 #include "core/io/DocumentFile.h"
 #include "core/simulation/MeshInputOf.h"
+#include "core/study/Repetitions.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -44,8 +45,7 @@ Result<meshing::GarmentMesh> meshRepeatedly(const meshing::MeshInput& input, int
     const auto median = [&](auto secondsOf) {
         std::vector<double> seconds;
         for (const meshing::MeshReport& report : reports) seconds.push_back(secondsOf(report));
-        std::ranges::nth_element(seconds, seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2));
-        return seconds[seconds.size() / 2];
+        return study::runTimeOf(std::move(seconds)).median;
     };
     mesh->report.total.seconds = median([](const auto& report) { return report.total.seconds; });
     for (std::size_t i = 0; i < mesh->report.pieces.size(); ++i)
