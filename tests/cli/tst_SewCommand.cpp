@@ -1,47 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Png.h" // before ours: moc 6.4 stumbles over <compare> as the first header
-
-#include "Program.h"
-#include "core/io/BodyImport.h"
-#include "core/io/ToileFile.h"
-#include "samples/SmallScenes.h"
+#include "SewFolder.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QTemporaryDir>
 #include <algorithm>
-#include <csignal>
 
 using namespace toile;
 
-namespace {
-
-/// An upright box with its foot on the floor and its middle on the y axis.
-body::Body box(double width, double depth) {
-    body::Body body{"box", {}, {}, {}};
-    for (const double x : {-width / 2, width / 2})
-        for (const double y : {0.0, 2.0})
-            for (const double z : {-depth / 2, depth / 2}) body.mesh.vertices.push_back({x, y, z});
-    body.mesh.triangles = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
-                           {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
-    return body;
-}
-
-} // namespace
-
-class tst_SewCommand : public QObject {
+class tst_SewCommand : public QObject, private SewFolder {
     Q_OBJECT
 private slots:
-    void init();
+    void init() { QVERIFY(makeAnew()); }
     void twoSquaresAreSewn();
     void theReportHasTheKeysThatArePromised();
     void whatIsNotThereIsNull();
-    void everyDrapeFormatIsWritten();
-    void framesAreKeptAsAPointCacheOrAFolder();
-    void framesOfAnotherRunAreNotMixedIn();
     void theAvatarMovesOnceTheClothHangs();
     void motionsThatCannotBeAreRefused();
-    void aPictureIsNotBlank();
     void equalRunsGiveEqualBits();
     void aFinerMeshGetsMoreSubsteps();
     void aFineGarmentIsSewnOnItsOwnMeshFirst();
@@ -56,41 +30,9 @@ private slots:
     void thePaperGoesItsOwnWayFromEndToEnd();
     void staticsKnowsNoTime();
     void theReportSaysHowManyThreadsThereWere();
-    void aMissingFolderIsSaidAndNothingIsWritten();
-    void noResultTakesThePlaceOfAnInputOrOfAnother_data();
-    void noResultTakesThePlaceOfAnInputOrOfAnother();
-    void whatCannotBeWrittenIsSaidBeforeTheRun_data();
-    void whatCannotBeWrittenIsSaidBeforeTheRun();
-    void namesMayEndInCapitals();
-    void aCheckpointMayTakeThePlaceOfTheOneItGoesOnFrom();
-    void aBrokenDocumentIsRefused();
-    void anInterruptLeavesNothingBehind_data();
-    void anInterruptLeavesNothingBehind();
-    void aRunThatIsToldToEndKeepsItsCheckpoint_data() { anInterruptLeavesNothingBehind_data(); }
-    void aRunThatIsToldToEndKeepsItsCheckpoint();
-    void aStoppedRunGoesOnFromItsCheckpoint();
     void wrongUsage_data();
     void wrongUsage();
-
-private:
-    [[nodiscard]] QString in(const char* name) const { return folder_->filePath(name); }
-    [[nodiscard]] Json report() const { return jsonOf(contentOf(in("sew.json"))); }
-    /// A document of two squares that are 0.2 m apart, with a body between them.
-    [[nodiscard]] QString squaresWith(const body::Body& body) const {
-        document::Document document = samples::twoSquares();
-        document.avatarFile = "body.glb";
-        document.scene.damping = 2; // so that it comes to rest against the body
-        const bool written = io::writeBody(in("body.glb").toStdString(), body).has_value() &&
-                             io::writeToile(document, in("squares.toile").toStdString()).has_value();
-        return written ? in("squares.toile") : QString();
-    }
-    std::unique_ptr<QTemporaryDir> folder_;
 };
-
-void tst_SewCommand::init() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    QVERIFY(folder_->isValid());
-}
 
 void tst_SewCommand::twoSquaresAreSewn() {
     const Finished finished =
@@ -153,29 +95,6 @@ void tst_SewCommand::whatIsNotThereIsNull() {
     QVERIFY(!contentOf(in("sew.json")).contains("nan"));
 }
 
-void tst_SewCommand::everyDrapeFormatIsWritten() {
-    for (const char* file : {"drape.glb", "drape.obj", "drape.ply", "drape.stl"}) {
-        QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--out", in(file)}).status,
-                 3); // not sewn yet
-        QVERIFY2(contentOf(in(file)).size() > 1000, file);
-    }
-}
-
-void tst_SewCommand::framesAreKeptAsAPointCacheOrAFolder() {
-    QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("cache.pc2")}).status,
-             3); // not sewn yet
-    QCOMPARE(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("frames"), "--out",
-                  in("drape.obj"), "--report", in("sew.json")})
-                 .status,
-             3);
-    const QStringList frames = QDir(in("frames")).entryList(QDir::Files);
-    QCOMPARE(frames.size(), 7); // the start and six steps
-    QCOMPARE(contentOf(in("frames") + "/frame-00006.obj"), contentOf(in("drape.obj")));
-    QCOMPARE(*report().find("frames")->find("count")->asNumber(), 7.0);
-    const qsizetype points = contentOf(in("drape.obj")).count("\nv ");
-    QCOMPARE(contentOf(in("cache.pc2")).size(), 32 + 7 * points * 12);
-}
-
 void tst_SewCommand::theAvatarMovesOnceTheClothHangs() {
     const QStringList sheet{
         "sew",         sample("sheet-two-corners.toile"), "--spacing", "100", "--limit", "0.1", "--quiet", "--report",
@@ -210,21 +129,6 @@ void tst_SewCommand::motionsThatCannotBeAreRefused() {
     const Finished kept = run(sheet + QStringList{"--avatar", sample("bodies/mannequin-42.glb"), "--lift-arms", "20",
                                                   "--checkpoint", in("point")});
     QCOMPARE(kept.status, 2);
-}
-
-void tst_SewCommand::framesOfAnotherRunAreNotMixedIn() {
-    QVERIFY(run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("frames")}).status == 3);
-    const Finished again = run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("frames")});
-    QCOMPARE(again.status, 1);
-    QVERIFY2(again.err.contains("frames of another run"), qPrintable(again.err));
-}
-
-void tst_SewCommand::aPictureIsNotBlank() {
-    const Finished finished = run(
-        {"sew", "--picture", in("front.png") + "," + in("back.png"), sample("two-squares.toile"), "--seconds", "3"});
-    QVERIFY2(finished.status == 0, qPrintable(finished.err));
-    QVERIFY(coloursIn(in("front.png")) > 100); // shaded cloth before a ground that is no plain colour
-    QVERIFY(coloursIn(in("back.png")) > 100);
 }
 
 void tst_SewCommand::equalRunsGiveEqualBits() {
@@ -389,158 +293,6 @@ void tst_SewCommand::theReportSaysHowManyThreadsThereWere() {
                                    "--report", in("sew.json")});
     QCOMPARE(finished.status, 3); // no garment is sewn in a tenth of a second
     QCOMPARE(*report().find("threads")->asNumber(), 3.0);
-}
-
-void tst_SewCommand::aMissingFolderIsSaidAndNothingIsWritten() {
-    const Finished finished =
-        run({"sew", sample("two-squares.toile"), "--out", in("drape.glb"), "--report", in("none/sew.json")});
-    QCOMPARE(finished.status, 1);
-    QCOMPARE(finished.errorLines().size(), 1);
-    QVERIFY(finished.err.contains("There is no folder"));
-    QVERIFY(QDir(folder_->path()).isEmpty());
-}
-
-void tst_SewCommand::noResultTakesThePlaceOfAnInputOrOfAnother_data() {
-    QTest::addColumn<QStringList>("options");
-    QTest::newRow("a report over the document") << QStringList{"--report", "squares.toile"};
-    QTest::newRow("a report over the document, by another way") << QStringList{"--report", "poses/../squares.toile"};
-    QTest::newRow("a report over the document, by a link") << QStringList{"--report", "link.toile"};
-    QTest::newRow("a checkpoint over the document") << QStringList{"--checkpoint", "squares.toile"};
-    QTest::newRow("a drape over the document's avatar") << QStringList{"--out", "body.glb"};
-    QTest::newRow("a drape over another avatar") << QStringList{"--avatar", "poses/a.glb", "--out", "poses/a.glb"};
-    QTest::newRow("a drape over a pose") << QStringList{"--motion", "poses", "--out", "poses/a.glb"};
-    QTest::newRow("frames among the poses") << QStringList{"--motion", "poses", "--frames", "poses"};
-    QTest::newRow("a report over what it goes on from") << QStringList{"--resume", "point", "--report", "point"};
-    QTest::newRow("a drape and its report") << QStringList{"--out", "same.obj", "--report", "./same.obj"};
-    QTest::newRow("a checkpoint and a report") << QStringList{"--checkpoint", "same", "--report", "same"};
-    QTest::newRow("two pictures") << QStringList{"--picture", "same.png,same.png"};
-}
-
-void tst_SewCommand::noResultTakesThePlaceOfAnInputOrOfAnother() {
-    QFETCH(QStringList, options);
-    const QString document = squaresWith(box(0.05, 0.05));
-    QVERIFY(QDir().mkpath(in("poses")));
-    QVERIFY(QFile::copy(in("body.glb"), in("poses/a.glb")));
-    QVERIFY(QFile::link(document, in("link.toile")));
-    QVERIFY(QFile::copy(document, in("point")));
-    const QString workingFolder = QDir::currentPath();
-    QVERIFY(QDir::setCurrent(folder_->path()));
-    const QByteArray before = contentOf(document), body = contentOf(in("body.glb"));
-    const Finished finished = run(QStringList{"sew", document, "--seconds", "0.02"} + options);
-    QVERIFY(QDir::setCurrent(workingFolder));
-    QCOMPARE(finished.status, 1);
-    QCOMPARE(finished.errorLines().size(), 1); // no progress: nothing was done
-    QVERIFY2(finished.err.contains("name another file"), qPrintable(finished.err));
-    QCOMPARE(contentOf(document), before);
-    QCOMPARE(contentOf(in("body.glb")), body);
-    QCOMPARE(contentOf(in("poses/a.glb")), body);
-    QCOMPARE(contentOf(in("point")), before);
-    QVERIFY(!QFile::exists(in("same")) && !QFile::exists(in("same.obj")) && !QFile::exists(in("same.png")));
-}
-
-void tst_SewCommand::whatCannotBeWrittenIsSaidBeforeTheRun_data() {
-    QTest::addColumn<QStringList>("options");
-    QTest::newRow("a drape where a folder is") << QStringList{"--out", "folder.glb"};
-    QTest::newRow("a report where a folder is") << QStringList{"--report", "folder.glb"};
-    QTest::newRow("a picture where a folder is") << QStringList{"--picture", "folder.png"};
-    QTest::newRow("a checkpoint where a folder is") << QStringList{"--checkpoint", "folder.glb"};
-    QTest::newRow("a point cache where a folder is") << QStringList{"--frames", "folder.pc2"};
-    QTest::newRow("frames where a file is") << QStringList{"--frames", "file"};
-    QTest::newRow("frames among others") << QStringList{"--frames", "kept"};
-    QTest::newRow("a folder that takes no file") << QStringList{"--out", "/proc/drape.glb"};
-    QTest::newRow("a folder that takes no folder") << QStringList{"--frames", "/proc/frames"};
-}
-
-void tst_SewCommand::whatCannotBeWrittenIsSaidBeforeTheRun() {
-    QFETCH(QStringList, options);
-    for (const char* folder : {"folder.glb", "folder.png", "folder.pc2", "kept"}) QVERIFY(QDir().mkpath(in(folder)));
-    for (const char* file : {"file", "kept/frame-00000.obj"})
-        QVERIFY(QFile::copy(sample("two-squares.toile"), in(file)));
-    if (!QDir::isAbsolutePath(options.last())) options.last() = in(qPrintable(options.last()));
-    const Finished finished =
-        run(QStringList{"sew", sample("two-squares.toile"), "--spacing", "10", "--refine", "--limit", "0.1"} + options);
-    QCOMPARE(finished.status, 1);
-    QCOMPARE(finished.errorLines().size(), 1); // no progress, no seam that stayed open
-    QVERIFY2(finished.err.startsWith(options.last() + ": "), qPrintable(finished.err));
-    QCOMPARE(QDir(folder_->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(), 5);
-}
-
-void tst_SewCommand::namesMayEndInCapitals() {
-    const Finished finished = run({"sew", sample("two-squares.toile"), "--seconds", "0.1", "--frames", in("CACHE.PC2"),
-                                   "--out", in("DRAPE.OBJ"), "--picture", in("FRONT.PNG")});
-    QCOMPARE(finished.status, 3); // not sewn yet
-    QVERIFY(contentOf(in("CACHE.PC2")).startsWith("POINTCACHE2"));
-    QVERIFY(contentOf(in("DRAPE.OBJ")).contains("\nv "));
-    QVERIFY(contentOf(in("FRONT.PNG")).contains("PNG"));
-}
-
-void tst_SewCommand::aCheckpointMayTakeThePlaceOfTheOneItGoesOnFrom() {
-    const QStringList sew{"sew", sample("two-squares.toile"), "--seconds", "0.1", "--checkpoint", in("point")};
-    QCOMPARE(run(sew).status, 3); // not sewn yet
-    const QByteArray first = contentOf(in("point"));
-    QCOMPARE(run(sew + QStringList{"--resume", in("point")}).status, 3);
-    QVERIFY(!first.isEmpty() && contentOf(in("point")) != first);
-}
-
-void tst_SewCommand::aBrokenDocumentIsRefused() {
-    const Finished finished = run({"sew", sample("broken/unknown-piece-in-seam.toile"), "--out", in("drape.glb")});
-    QCOMPARE(finished.status, 1);
-    QVERIFY(finished.err.contains("There is no piece \"sleeve\"."));
-    QVERIFY(QDir(folder_->path()).isEmpty());
-}
-
-void tst_SewCommand::anInterruptLeavesNothingBehind_data() {
-    QTest::addColumn<int>("signal");
-    QTest::newRow("Ctrl+C") << SIGINT;
-    QTest::newRow("told to end") << SIGTERM;
-    QTest::newRow("the terminal is closed") << SIGHUP;
-}
-
-void tst_SewCommand::aRunThatIsToldToEndKeepsItsCheckpoint() {
-    QFETCH(int, signal);
-    QProcess process;
-    process.setReadChannel(QProcess::StandardError);
-    process.start(program(), {"sew", sample("blouse.toile"), "--spacing", "10", "--checkpoint", in("point")});
-    QVERIFY(process.waitForReadyRead(60000));
-    ::kill(static_cast<pid_t>(process.processId()), signal);
-    QVERIFY(process.waitForFinished(60000));
-    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
-    QCOMPARE(process.exitCode(), 1);
-    QVERIFY(contentOf(in("point")).contains("toile-checkpoint"));
-}
-
-void tst_SewCommand::anInterruptLeavesNothingBehind() {
-    QFETCH(int, signal);
-    QProcess process; // a garment that takes minutes
-    process.setReadChannel(QProcess::StandardError);
-    process.start(program(), {"sew", sample("blouse.toile"), "--spacing", "10", "--out", in("drape.glb"), "--report",
-                              in("sew.json"), "--frames", in("cache.pc2")});
-    QVERIFY(process.waitForReadyRead(60000)); // its first word of progress
-    const auto files = [this] {               // what grows has a name that is hidden
-        return QDir(folder_->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
-    };
-    QVERIFY(files().join(' ').contains(".cache.pc2."));
-    ::kill(static_cast<pid_t>(process.processId()), signal);
-    QVERIFY(process.waitForFinished(60000));
-    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
-    QVERIFY(process.exitCode() != 0);
-    QVERIFY(process.readAllStandardError().contains("stopped"));
-    QCOMPARE(files(), QStringList());
-}
-
-void tst_SewCommand::aStoppedRunGoesOnFromItsCheckpoint() {
-    const QString squares = sample("two-squares.toile"), point = in("squares.checkpoint");
-    const auto hashAfter = [&](const QStringList& options) {
-        const Finished finished = run(QStringList{"sew", squares, "--report", in("sew.json")} + options);
-        return finished.status == 0 ? *report().find("resultHash")->asString() : finished.err.toStdString();
-    };
-    (void)run({"sew", squares, "--seconds", "0.3", "--checkpoint", point}); // its seam is not closed yet
-    const std::string once = hashAfter({"--resume", point, "--seconds", "1"});
-    QCOMPARE(once.size(), std::size_t{64}); // the seam is closed now
-    QCOMPARE(hashAfter({"--resume", point, "--seconds", "1"}), once);
-    QVERIFY(hashAfter({"--resume", point, "--seconds", "1", "--spacing", "10"}).find("another scene") !=
-            std::string::npos);
-    QVERIFY(hashAfter({"--resume", in("none")}).find("none") != std::string::npos);
 }
 
 void tst_SewCommand::wrongUsage_data() {
