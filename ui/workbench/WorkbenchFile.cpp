@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The document's file: opening, saving, recovering.
-#include "ui/workbench/AvatarPath.h"
+#include "core/io/DocumentFile.h"
 #include "ui/workbench/Workbench.h"
 
 #include <QFileInfo>
 
 namespace toile::ui {
+namespace {
+
+/// Where the avatar lies that a document of this path names. While a document is open it names its avatar so, in every
+/// step of its history: wherever it is saved, undo finds the same body.
+std::string avatarFrom(const QString& path, const std::string& name) {
+    if (name.empty() || path.isEmpty()) return name;
+    return io::fileNamedBy(path.toStdString(), name).lexically_normal().generic_string();
+}
+
+} // namespace
 
 void Workbench::startNew() {
     document::Document empty;
@@ -30,7 +40,7 @@ Result<std::vector<Warning>> Workbench::open(const QString& path) {
 /// A document that belongs at `path`; its avatar is named from everywhere.
 Result<io::Imported> Workbench::readAs(const QString& path, const QString& file) const {
     auto read = parts_.read(file.toStdString());
-    if (read) read->document.avatarFile = avatarPath(read->document.avatarFile, path).toStdString();
+    if (read) read->document.avatarFile = avatarFrom(path, read->document.avatarFile);
     return read;
 }
 
@@ -74,7 +84,8 @@ Result<void> Workbench::recover(const Journal::Leftover& leftover) {
 
 Result<void> Workbench::saveAs(const QString& path) {
     document::Document toWrite = document();
-    toWrite.avatarFile = avatarName(toWrite.avatarFile, path);
+    std::string& avatar = toWrite.avatarFile;
+    if (!avatar.empty()) avatar = io::nameFrom(path.toStdString(), avatar);
     if (auto written = parts_.write(path.toStdString(), toWrite); !written) return written;
     path_ = QFileInfo(path).absoluteFilePath();
     history_.markSaved();
