@@ -5,10 +5,10 @@
 
 namespace toile::ui {
 
-QString remarksOf(const std::vector<Warning>& warnings) {
+QString remarksOf(const std::vector<Warning>& warnings, QChar between) {
     QStringList remarks;
     for (const Warning& warning : warnings) remarks << QString::fromStdString(warning.place + ": " + warning.text);
-    return remarks.join(QLatin1Char(' '));
+    return remarks.join(between);
 }
 
 } // namespace toile::ui

@@ -9,7 +9,7 @@
 
 namespace toile::ui {
 
-/// What an edit took along, for the status line: each thing by its name, then what became of it.
-[[nodiscard]] QString remarksOf(const std::vector<Warning>& warnings);
+/// What an edit took along, or an import had to assume: each thing by its name, then what became of it.
+[[nodiscard]] QString remarksOf(const std::vector<Warning>& warnings, QChar between = QLatin1Char(' '));
 
 } // namespace toile::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/FileCommands.h"
 
+#include "ui/values/Remarks.h"
 #include "ui/window/SaveDialog.h"
 #include "ui/window/TakeTyped.h"
 
@@ -50,9 +51,9 @@ bool FileCommands::openFile(const QString& path) {
 /// Each remark on a line of its own.
 void FileCommands::tellOpened(const QString& name, const std::vector<Warning>& remarks) {
     if (remarks.empty()) return workbench_.tell(tr("Opened %1").arg(name));
-    QStringList lines{tr("Opened %1. Remarks (%2):").arg(name).arg(remarks.size())};
-    for (const Warning& remark : remarks) lines << QString::fromStdString(remark.place + ": " + remark.text);
-    workbench_.tell(lines.join(QLatin1Char('\n')), true); // to stay until it is read
+    constexpr QLatin1Char lineEnd('\n');
+    const QString opened = tr("Opened %1. Remarks (%2):").arg(name).arg(remarks.size());
+    workbench_.tell(opened + lineEnd + remarksOf(remarks, lineEnd), true); // to stay until it is read
 }
 
 bool FileCommands::save() {
