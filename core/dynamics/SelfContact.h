@@ -110,7 +110,7 @@ private:
         double start = 0;                ///< distance at the start of the substep [m]
         std::array<double, 4> weights{}; ///< of the shortest way then
         double friction = 0;             ///< √(μ₁μ₂) [–]
-        double normalForce = 0;          ///< running mean of the substeps, then as friction was fixed [N]
+        double normalForce = 0; ///< running mean of the substeps that pushed it, then as friction was fixed [N]
     };
     /// A pair that an iteration of statics may bring to its target.
     struct Coming {
