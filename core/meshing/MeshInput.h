@@ -29,7 +29,7 @@ enum class RegionBorder {
 
 struct BoundaryEdge {
     Curve curve;
-    std::vector<double> notches; ///< fractions of the arc length, rising, from 0 to 1
+    std::vector<double> notches; ///< fractions of the arc length, rising, in [0, 1]
     std::string label;           ///< the user's name, for messages
     friend bool operator==(const BoundaryEdge&, const BoundaryEdge&) = default;
 };
