@@ -19,6 +19,7 @@ struct Column {
 };
 
 constexpr std::array columns{Column{"rmsError", "RMS error mm", 1e3},
+                             Column{"rmsErrorToCoarser", "to the reference of twice its step mm", 1e3},
                              Column{"stretch", "longest stretch %", 100},
                              Column{"costRatio", "cost"},
                              Column{"particles", "particles"},
