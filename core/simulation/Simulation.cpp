@@ -124,6 +124,7 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, 
     after.state_.time = before.state_.time;
     after.steps_ = before.steps_;
     after.team_ = before.team_;
+    after.teamTrial_ = before.teamTrial_;
     after.grips_ = before.grips_;
     if (sameBody) {
         after.motion_ = before.motion_;
@@ -159,7 +160,7 @@ void Simulation::rebuildPlan() {
     }
     xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model,
                                              dynamics::XpbdSettings{.damping = plannedDamping_, .speedLimit = 10});
-    xpbd_->workWith(teamWorthWaking());
+    xpbd_->workWith(teamOfStep());
     planSubsteps();
     integrator_.reset();
     calmingFrames_ = 0;
@@ -240,13 +241,17 @@ void Simulation::drapeWith(std::optional<dynamics::Method> method) {
 
 void Simulation::workWith(std::shared_ptr<Team> team) {
     team_ = std::move(team);
-    if (xpbd_) xpbd_->workWith(teamWorthWaking());
+    if (xpbd_) xpbd_->workWith(teamOfStep());
 }
 
 /// Below so many particles the members of a team wait for each other longer than they help (docs/simulation.md).
 Team* Simulation::teamWorthWaking() const {
     constexpr int fewest = 4000;
     return garment_->model.particleCount() >= fewest ? team_.get() : nullptr;
+}
+
+Team* Simulation::teamOfStep() const {
+    return teamTrial_.shares() ? teamWorthWaking() : nullptr;
 }
 
 void Simulation::force(std::vector<std::string> stages) {
@@ -268,7 +273,12 @@ void Simulation::hold(std::vector<Grip> grips) {
 Result<dynamics::StepReport> Simulation::moveCloth(double duration, std::stop_token stop) {
     correctByDueLevels();
     if (integrator_) return integrator_->step(state_, duration, gravity(), plan_.stages(), stop);
-    return motion_ ? moveBesideBody(duration, stop) : moveByPositions(duration, stop);
+    const auto start = std::chrono::steady_clock::now();
+    xpbd_->workWith(teamOfStep());
+    auto done = motion_ ? moveBesideBody(duration, stop) : moveByPositions(duration, stop);
+    if (teamWorthWaking())
+        teamTrial_.took(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    return done;
 }
 
 void Simulation::note(double duration, const dynamics::StepReport& step) {

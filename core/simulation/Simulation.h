@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Team.h"
+#include "core/base/TeamTrial.h"
 #include "core/collision/BodySurface.h"
 #include "core/collision/MovingSurface.h"
 #include "core/dynamics/CoarseLevels.h"
@@ -171,6 +172,7 @@ private:
     void sleepFor(double duration);
     void planSubsteps();
     [[nodiscard]] Team* teamWorthWaking() const; ///< null: the cloth is too small to share
+    [[nodiscard]] Team* teamOfStep() const;      ///< also null where sharing does not pay
     [[nodiscard]] Result<void> drawTaut(std::stop_token stop);
     void planLevels(int levels);
     void correctByDueLevels();
@@ -200,7 +202,8 @@ private:
     std::optional<Shared<body::Body>> movedBody_;
     Shared<FrameTopology> topology_;
     dynamics::ParticleState state_;
-    std::shared_ptr<Team> team_;               ///< null = alone
+    std::shared_ptr<Team> team_; ///< null = alone
+    TeamTrial teamTrial_;
     std::shared_ptr<std::vector<Grip>> grips_; ///< never null; the plan's stage reads it
     std::vector<std::string> forced_;          ///< stages that are built without need
     StepPlan plan_;
