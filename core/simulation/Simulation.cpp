@@ -56,6 +56,10 @@ std::vector<bool> mergedIn(const Simulation& before, const pattern::Pattern& pat
     return merged;
 }
 
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 void addCosts(std::vector<StepPlan::StageCost>& sum, const std::vector<StepPlan::StageCost>& more) {
     for (const StepPlan::StageCost& cost : more) {
         const auto same = std::ranges::find(sum, cost.name, &StepPlan::StageCost::name);
@@ -124,6 +128,7 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, 
     after.state_.time = before.state_.time;
     after.steps_ = before.steps_;
     after.team_ = before.team_;
+    after.sharing_ = before.sharing_;
     after.teamTrial_ = before.teamTrial_;
     after.grips_ = before.grips_;
     if (sameBody) {
@@ -239,8 +244,9 @@ void Simulation::drapeWith(std::optional<dynamics::Method> method) {
     rebuildPlan();
 }
 
-void Simulation::workWith(std::shared_ptr<Team> team) {
+void Simulation::workWith(std::shared_ptr<Team> team, Sharing sharing) {
     team_ = std::move(team);
+    sharing_ = sharing;
     if (xpbd_) xpbd_->workWith(teamOfStep());
 }
 
@@ -251,7 +257,7 @@ Team* Simulation::teamWorthWaking() const {
 }
 
 Team* Simulation::teamOfStep() const {
-    return teamTrial_.shares() ? teamWorthWaking() : nullptr;
+    return sharing_ == Sharing::always || teamTrial_.shares() ? teamWorthWaking() : nullptr;
 }
 
 void Simulation::force(std::vector<std::string> stages) {
@@ -276,8 +282,7 @@ Result<dynamics::StepReport> Simulation::moveCloth(double duration, std::stop_to
     const auto start = std::chrono::steady_clock::now();
     xpbd_->workWith(teamOfStep());
     auto done = motion_ ? moveBesideBody(duration, stop) : moveByPositions(duration, stop);
-    if (teamWorthWaking())
-        teamTrial_.took(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    if (done && teamWorthWaking()) teamTrial_.took(secondsSince(start)); // one that was cancelled took no time
     return done;
 }
 
@@ -317,7 +322,7 @@ Result<void> Simulation::advance(std::stop_token stop) {
     restingTime_ = isLeftAlone && speeds.areOfRest() ? restingTime_ + duration : 0;
     stillTime_ = isLeftAlone && speeds.areStill() ? stillTime_ + duration : 0;
     if (motion_) noteBody();
-    stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    stepSeconds_ = secondsSince(start);
     allSeconds_ += stepSeconds_;
     return {};
 }

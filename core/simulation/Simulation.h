@@ -70,6 +70,12 @@ struct MergeRule {
     double relativeSpeed = 0.1; ///< largest of all pairs [m/s]
 };
 
+/// Which frame steps of cloth that is not too small for it are shared out: the bits are the same.
+enum class Sharing {
+    whereItPays, ///< as a TeamTrial finds
+    always,
+};
+
 /// A scene while time runs. Not shared between threads; others see frames.
 class Simulation {
 public:
@@ -98,7 +104,7 @@ public:
 
     /// Shares the work of a step out from now on, where it is much enough to gain by it; null = alone. The bits are the
     /// same.
-    void workWith(std::shared_ptr<Team> team);
+    void workWith(std::shared_ptr<Team> team, Sharing sharing = Sharing::whereItPays);
 
     /// What hands hold from now on, instead of what they held. Cheap while only targets move.
     void hold(std::vector<Grip> grips);
@@ -203,7 +209,8 @@ private:
     Shared<FrameTopology> topology_;
     dynamics::ParticleState state_;
     std::shared_ptr<Team> team_; ///< null = alone
-    TeamTrial teamTrial_;
+    Sharing sharing_ = Sharing::whereItPays;
+    TeamTrial teamTrial_;                      ///< of position-based frame steps
     std::shared_ptr<std::vector<Grip>> grips_; ///< never null; the plan's stage reads it
     std::vector<std::string> forced_;          ///< stages that are built without need
     StepPlan plan_;

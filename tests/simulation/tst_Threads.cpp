@@ -29,12 +29,12 @@ Scene fallingSheets(material::FabricKind kind) {
     return scene;
 }
 
-std::vector<Vec3> after(int frames, const Scene& scene, std::shared_ptr<Team> team) {
+std::vector<Vec3> after(int frames, const Scene& scene, std::shared_ptr<Team> team, Sharing sharing = Sharing::always) {
     auto simulation = Simulation::create(scene);
     if (!simulation) qFatal("%s", toString(simulation.error()).c_str());
     if (std::ranges::any_of(simulation->plan().leftOut(), [](const LeftOut& p) { return p.stage == "coarse levels"; }))
         qFatal("coarse levels are to be shared out as well");
-    simulation->workWith(std::move(team));
+    simulation->workWith(std::move(team), sharing);
     for (int frame = 0; frame < frames; ++frame)
         if (const auto done = simulation->advance(); !done) qFatal("%s", toString(done.error()).c_str());
     return simulation->state().positions;
@@ -59,6 +59,8 @@ private slots:
         QVERIFY(alone.size() > 10000);                          // small cloth is not shared out
         QVERIFY(std::ranges::min(alone, {}, &Vec3::y).y < 0.5); // beyond the edge it falls
         for (const int members : {2, 3}) QVERIFY(after(frames, scene, std::make_shared<Team>(members)) == alone);
+        // Two of these steps are tried with the team and two without.
+        QVERIFY(after(frames, scene, std::make_shared<Team>(2), Sharing::whereItPays) == alone);
     }
 };
 
