@@ -281,9 +281,8 @@ Case flapCase(double factor) {
     return caseOf(
         fmt::format("flap, {:g} N/m", sheet.scene.stiffness),
         "33 × 33 particles held along an edge, at 0.4 s. The goal of an error is the prototype's; its cost is in "
-        "units of symplectic Euler on the same sheet, with the prototype's in brackets. The stiffest sheet with the "
-        "cap "
-        "it compared with TR-BDF2 at 4 ms.",
+        "units of symplectic Euler on the same sheet, with the prototype's in brackets. Where the cap was tried on the "
+        "stiffest sheet, the prototype was compared with TR-BDF2 at 4 ms.",
         std::move(sheet));
 }
 
