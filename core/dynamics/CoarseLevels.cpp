@@ -104,6 +104,7 @@ CoarseLevels::CoarseLevels(const LevelMesh& fine, std::span<const LevelMesh> coa
         }
         for (Triangle& t : finerTriangles) t.share = t.area / held[t.parent];
         for (std::size_t t = 0; t < held.size(); ++t) level.triangles[t].area = held[t];
+        putInSeries(finerTriangles, level.triangles);
         compile(level, mesh.particles);
         level.before.resize(mesh.particles);
         level.meanU.resize(level.triangles.size());
@@ -111,6 +112,15 @@ CoarseLevels::CoarseLevels(const LevelMesh& fine, std::span<const LevelMesh> coa
         levels_.push_back(std::move(level));
         finer = &mesh;
     }
+}
+
+/// A coarse triangle is as soft as the soft cloth in it lets it be: a narrow region is not held by what is round it.
+void CoarseLevels::putInSeries(std::span<const Triangle> finer, std::span<Triangle> coarse) {
+    std::vector<PerStrain> compliance(coarse.size(), PerStrain{});
+    for (const Triangle& t : finer)
+        for (int k = 0; k < 3; ++k) compliance[t.parent][k] += t.share / t.modulus[k];
+    for (std::size_t t = 0; t < coarse.size(); ++t)
+        for (int k = 0; k < 3; ++k) coarse[t].modulus[k] = 1 / compliance[t][k];
 }
 
 /// Fours of triangles that share no particle. A lane without one has corners of its own, and nothing to do.
@@ -195,6 +205,7 @@ void CoarseLevels::compileFor(double h, double cap) {
             const PerStrain w = worksOn(triangle, level.inverseMass);
             const auto [at, lane] = level.seats[t];
             for (int k = 0; k < 3; ++k) {
+                wanted[t][k] = std::min(wanted[t][k], triangle.modulus[k]);
                 double& factor = level.fours[at].factors[k][lane];
                 factor = 0;
                 if (!(wanted[t][k] > 0) || !(w[k] > 0) || !(triangle.area > 0)) continue;

@@ -47,7 +47,7 @@ private:
         double area = 0;                ///< [m²]
         int parent = -1;                ///< in the next coarser level
         double share = 0;               ///< of its parent's area [–]
-        PerStrain modulus{};            ///< of the fabric [N/m]
+        PerStrain modulus{};            ///< of the cloth in it, in series [N/m]
     };
     /// Where a triangle stands among the fours.
     struct Seat {
@@ -69,6 +69,7 @@ private:
     void compileFor(double h, double cap);
     void gather(std::span<const Vec3> positions, Team* team = nullptr);
     void measure(std::span<const Vec3> positions);
+    static void putInSeries(std::span<const Triangle> finer, std::span<Triangle> coarse);
     static void compile(Level& level, int particles);
     template <class Positions>
     static void carryDown(const Level& level, Positions& finer, std::span<const double> inverseMass, Team* team);

@@ -16,7 +16,7 @@ struct LevelTriangle {
     std::array<int, 3> particles{};
     std::array<Vec2, 3> material{};       ///< u weft, v warp of the corners, in the coordinates of the patch [m]
     int patch = 0;                        ///< only triangles of one patch share coordinates
-    double weft = 0, warp = 0, shear = 0; ///< E2, E1, G of the fabric [N/m]
+    double weft = 0, warp = 0, shear = 0; ///< E2, E1, G of the cloth there [N/m]; of the finest mesh alone
 };
 
 /// The surface of a cloth at one spacing; every triangle has an area.

@@ -56,6 +56,14 @@ void addModel(Numbers& numbers, const Garment& garment) {
     for (const double f : garment.friction) numbers.add(f);
 }
 
+/// What the mesh and the merged cloth do not tell of a seam, where it is not plain.
+void addSeam(Numbers& numbers, std::size_t index, const pattern::Seam& seam) {
+    if (seam.order != 0) numbers.add(index, seam.order);
+    if (seam.foldAngle != 0 || seam.stiffnessFactor != 1) numbers.add(index, seam.foldAngle, seam.stiffnessFactor);
+    for (const pattern::SeamSection& section : seam.sections)
+        if (section != pattern::SeamSection{}) numbers.add(index, section.ease, section.gatherRatio.value_or(0));
+}
+
 } // namespace
 
 std::string fingerprintOf(const Scene& scene, const Garment& garment) {
@@ -73,8 +81,7 @@ std::string fingerprintOf(const Scene& scene, const Garment& garment) {
         if (piece.pressure != 0) numbers.add(i, piece.pressure);
         if (piece.layer != 0) numbers.add(i, piece.layer);
     }
-    for (std::size_t i = 0; i < scene.pattern.seams.size(); ++i)
-        if (const int order = scene.pattern.seams[i].order; order != 0) numbers.add(i, order);
+    for (std::size_t i = 0; i < scene.pattern.seams.size(); ++i) addSeam(numbers, i, scene.pattern.seams[i]);
     const SceneSettings& s = scene.settings;
     if (s.air) {
         numbers.add(s.air->wind);

@@ -22,12 +22,6 @@ cloth::CellForm formFor(material::FabricKind kind) {
     return kind == material::FabricKind::knit ? cloth::CellForm::membrane : cloth::CellForm::automatic;
 }
 
-cloth::StiffnessFactors factorsOf(const Piece& piece, int region) {
-    if (region < 0) return {};
-    const pattern::StiffnessFactors& f = piece.regions[region].stiffness;
-    return {f.stretch, f.shear, f.bending};
-}
-
 cloth::Patch patchOf(const Piece& piece, const meshing::PieceMesh& mesh, std::span<const int> particles) {
     cloth::Patch patch;
     patch.material = mesh.material;
@@ -74,6 +68,12 @@ Result<void> pinParticles(Garment& garment, const Pattern& pattern) {
 }
 
 } // namespace
+
+cloth::StiffnessFactors factorsOf(const Piece& piece, int region) {
+    if (region < 0) return {};
+    const pattern::StiffnessFactors& f = piece.regions[region].stiffness;
+    return {f.stretch, f.shear, f.bending};
+}
 
 Result<Garment> makeGarment(const Pattern& pattern, Shared<meshing::GarmentMesh> mesh, std::vector<bool> mergedSeams,
                             bool paper) {

@@ -5,6 +5,7 @@
 #include "core/base/Shared.h"
 #include "core/cloth/ClothModel.h"
 #include "core/cloth/PaperSprings.h"
+#include "core/cloth/Patch.h"
 #include "core/pattern/Pattern.h"
 #include "core/simulation/FoldHinges.h"
 #include "core/simulation/ParticleMap.h"
@@ -25,6 +26,9 @@ struct Garment {
     std::vector<FoldHinges> folds;
     std::optional<cloth::PaperReport> paper = {}; ///< of springs alone
 };
+
+/// Of the cloth in a region; outside all regions (negative) those of the fabric itself.
+[[nodiscard]] cloth::StiffnessFactors factorsOf(const pattern::Piece& piece, int region);
 
 /// Builds the cloth; of the paper's springs alone if that is asked. Errors name the fabric or pin that is wrong.
 [[nodiscard]] Result<Garment> makeGarment(const pattern::Pattern& pattern, Shared<meshing::GarmentMesh> mesh,

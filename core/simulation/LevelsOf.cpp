@@ -2,6 +2,7 @@
 #include "core/simulation/LevelsOf.h"
 
 #include "core/dynamics/Eliminated.h"
+#include "core/meshing/DisplayElements.h"
 #include "core/pattern/PatternFabrics.h"
 
 namespace toile::simulation {
@@ -26,14 +27,18 @@ dynamics::LevelMesh levelMeshOf(const pattern::Pattern& pattern, const meshing::
     for (std::size_t i = 0; i < mesh.pieces.size(); ++i) {
         const meshing::PieceMesh& piece = mesh.pieces[i];
         const material::Fabric fabric = *pattern::clothOf(pattern, *pattern.pieces[i]);
-        for (const auto& nodes : piece.display) {
+        const std::vector<int> elements = meshing::displayElements(piece);
+        for (std::size_t at = 0; at < elements.size(); ++at) {
+            const cloth::StiffnessFactors factors =
+                factorsOf(*pattern.pieces[i], meshing::regionOf(piece, elements[at]));
             dynamics::LevelTriangle t{.patch = static_cast<int>(i),
-                                      .weft = fabric.weftStiffness,
-                                      .warp = fabric.warpStiffness,
-                                      .shear = fabric.shearStiffness};
+                                      .weft = factors.stretch * fabric.weftStiffness,
+                                      .warp = factors.stretch * fabric.warpStiffness,
+                                      .shear = factors.shear * fabric.shearStiffness};
             for (int k = 0; k < 3; ++k) {
-                t.particles[k] = map.particle({t.patch, nodes[k]});
-                t.material[k] = piece.material[nodes[k]];
+                const int node = piece.display[at][k];
+                t.particles[k] = map.particle({t.patch, node});
+                t.material[k] = piece.material[node];
             }
             if (areaOf(t) > 0) level.triangles.push_back(t);
         }

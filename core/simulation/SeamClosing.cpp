@@ -15,10 +15,14 @@ SeamClosing::SeamClosing(std::vector<SeamPair> pairs, SeamClosingSettings settin
         if (mass[p] > 0) frequencySquared_ = std::max(frequencySquared_, rows[p] / mass[p]);
 }
 
+double SeamClosing::durationOf(double initialGap, const SeamClosingSettings& settings) {
+    return std::max(settings.duration,
+                    1.5 * initialGap / settings.maximumSpeed); // speed is 1.5 · gap / duration at most
+}
+
 double SeamClosing::allowedGap(const SeamPair& pair, double time, const SeamClosingSettings& settings) {
-    const double duration = std::max(settings.duration, 1.5 * pair.initialGap / settings.maximumSpeed);
-    const double s = std::clamp((time - pair.startTime) / duration, 0.0, 1.0);
-    return pair.initialGap * (1 - s * s * (3 - 2 * s)); // largest speed is 1.5 · gap / duration
+    const double s = std::clamp((time - pair.startTime) / durationOf(pair.initialGap, settings), 0.0, 1.0);
+    return pair.initialGap * (1 - s * s * (3 - 2 * s));
 }
 
 void SeamClosing::project(dynamics::Substep& substep) {

@@ -43,6 +43,8 @@ public:
     void addHessian(std::span<const Vec3> positions, dynamics::HessianSink& sink) const override;
     [[nodiscard]] double largestFrequencySquared() const override { return frequencySquared_; }
 
+    /// In which a pair that is so far apart is drawn together [s].
+    [[nodiscard]] static double durationOf(double initialGap, const SeamClosingSettings& settings);
     /// The distance that a pair may have at a time [m].
     [[nodiscard]] static double allowedGap(const SeamPair& pair, double time, const SeamClosingSettings& settings);
 

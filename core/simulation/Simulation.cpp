@@ -131,6 +131,8 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, 
     after.sharing_ = before.sharing_;
     after.teamTrial_ = before.teamTrial_;
     after.grips_ = before.grips_;
+    after.drapingMethod_ = before.drapingMethod_;
+    after.forced_ = before.forced_;
     if (sameBody) {
         after.motion_ = before.motion_;
         after.movedBody_ = before.movedBody_;
@@ -195,9 +197,11 @@ void Simulation::planSubsteps() {
     if (sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
 }
 
-/// Fine cloth may go on trembling by levels where it is crumpled; hands move it anyway.
+/// Fine cloth may go on trembling by levels where it is crumpled; hands move it anyway. What came to rest by them stays
+/// as it lies: without them it is stiffer, and would begin to move.
 bool Simulation::levelsMayHelp() const {
-    return !grips_->empty() || state_.time <= sewnTime_ + shakingTime() + dressing.levelsTime;
+    const double lastMoved = state_.time - restingTime_;
+    return !grips_->empty() || lastMoved <= sewnTime_ + shakingTime() + dressing.levelsTime;
 }
 
 double Simulation::shakingTime() const {

@@ -190,8 +190,10 @@ private:
     void note(double duration, const dynamics::StepReport& step);
     [[nodiscard]] Phase duePhase() const;
     [[nodiscard]] Vec3 gravity() const { return phase_ == Phase::sewing ? Vec3{} : scene_.settings.gravity; }
-    [[nodiscard]] bool givenUp(std::size_t seam) const { return isOver(seamStart_[seam]); }
-    [[nodiscard]] bool isOver(double start) const; ///< what began to close then is given up by now
+    [[nodiscard]] bool givenUp(std::size_t seam) const;
+    [[nodiscard]] bool givenUp(const TackState& tack) const;
+    /// What began to close then, over such a gap, should be closed by now.
+    [[nodiscard]] bool isOver(double start, double startGap) const;
     [[nodiscard]] std::size_t closingTacks() const;
     [[nodiscard]] bool hasClosed(const TackState& tack) const;
     [[nodiscard]] bool closeReadyTacks();

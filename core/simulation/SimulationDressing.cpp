@@ -44,8 +44,18 @@ std::vector<std::size_t> Simulation::closingSeams() const {
     return closing;
 }
 
-bool Simulation::isOver(double start) const {
-    return start >= 0 && state_.time > start + scene_.settings.seamTime + patience;
+bool Simulation::isOver(double start, double startGap) const {
+    const double closing = SeamClosing::durationOf(startGap, {.duration = scene_.settings.seamTime});
+    return start >= 0 && state_.time > start + closing + patience;
+}
+
+bool Simulation::givenUp(std::size_t seam) const {
+    const std::vector<double>& gaps = seamGaps_[seam];
+    return isOver(seamStart_[seam], gaps.empty() ? 0 : std::ranges::max(gaps));
+}
+
+bool Simulation::givenUp(const TackState& tack) const {
+    return isOver(tack.start, tack.startGap);
 }
 
 std::size_t Simulation::closingTacks() const {
@@ -56,7 +66,7 @@ Phase Simulation::duePhase() const {
     for (std::size_t seam = 0; seam < seams_.size(); ++seam)
         if (!seams_[seam].merged && !givenUp(seam)) return Phase::sewing;
     for (const TackState& tack : tacks_)
-        if (!tack.closed && !isOver(tack.start)) return Phase::sewing;
+        if (!tack.closed && !givenUp(tack)) return Phase::sewing;
     if (phase_ == Phase::sewing) return drapingMethod_ ? Phase::shaking : Phase::draping;
     return state_.time > sewnTime_ + shakingTime() ? Phase::draping : phase_;
 }
@@ -67,7 +77,7 @@ void Simulation::startDue() {
     for (std::size_t seam = 0; seam < seams_.size(); ++seam)
         if (!seams_[seam].merged && !givenUp(seam)) due = std::min(due, seams_[seam].order);
     for (const TackState& tack : tacks_)
-        if (!tack.closed && !isOver(tack.start)) due = std::min(due, tack.order);
+        if (!tack.closed && !givenUp(tack)) due = std::min(due, tack.order);
     for (std::size_t tack = 0; tack < tacks_.size(); ++tack) {
         if (tacks_[tack].start >= 0 || tacks_[tack].order > due) continue;
         tacks_[tack].start = state_.time;

@@ -104,14 +104,7 @@ private slots:
 
     /// A sheet of 0.2 m at 4 mm hangs from two corners: by levels in a quarter of the substeps where it hangs without.
     void aFineSheetHangsInFewSubsteps() {
-        Scene scene = alone(0.004);
-        const auto& outline = scene.pattern.pieces[0]->outline;
-        for (const std::size_t corner : {2, 3})
-            scene.pattern.pins.push_back({.id = pattern::PinId{"pin " + std::to_string(corner)},
-                                          .piece = scene.pattern.pieces[0]->id,
-                                          .vertex = outline.vertices[corner].id});
-        scene.settings.gravity = {0, -9.81, 0};
-        scene.settings.damping = 10;
+        const Scene scene = hungByItsTop();
         auto few = Simulation::create(scene);
         QVERIFY(few);
         QCOMPARE(reasonIn(*few), std::string());
@@ -171,7 +164,57 @@ private slots:
         QVERIFY(simulation->substeps() >= 2 * few);
     }
 
+    /// Without levels it is stiffer, and what lay still would begin to move.
+    void clothThatRestsByThemLiesOn() {
+        Scene scene = hungByACorner();
+        scene.settings.damping = 10;
+        auto simulation = Simulation::create(scene);
+        QVERIFY(simulation);
+        while (!simulation->frame().atRest) QVERIFY(simulation->advance());
+        QVERIFY(simulation->state().time < 5);
+        double fastest = 0;
+        while (simulation->state().time < 7) {
+            QVERIFY(simulation->advance());
+            fastest = std::max(fastest, simulation->largestSpeed());
+        }
+        QCOMPARE(reasonIn(*simulation), std::string());
+        QVERIFY2(fastest < 0.005, qPrintable(QString::number(fastest)));
+    }
+
+    /// A band of less stiffness, no wider than a cell of the coarsest level, stretches by levels as it does without.
+    void aSoftRegionIsSoftToThemAsWell() {
+        Scene scene = hungByItsTop();
+        pattern::Piece piece = *scene.pattern.pieces[0];
+        piece.regions.push_back({.id = pattern::RegionId{"band"},
+                                 .outline = {{-0.1, 0.112}, {0.3, 0.112}, {0.3, 0.128}, {-0.1, 0.128}},
+                                 .refinement = 0,
+                                 .stiffness = {.stretch = 0.002, .shear = 0.002}});
+        scene.pattern.pieces[0] = piece;
+        auto few = Simulation::create(scene);
+        QVERIFY(few);
+        QCOMPARE(reasonIn(*few), std::string());
+        Scene plain = scene;
+        plain.settings.substeps = 4 * few->substeps();
+        auto many = Simulation::create(plain);
+        QVERIFY(many);
+        while (few->state().time < 1) QVERIFY(few->advance() && many->advance());
+        const auto hem = [](const Simulation& s) { return std::ranges::min(s.state().positions, {}, &Vec3::y).y; };
+        QVERIFY2(hem(*many) < 0.997, qPrintable(QString::number(hem(*many)))); // 3 mm below the 1 m of a stiff sheet
+        QVERIFY2(std::abs(hem(*few) - hem(*many)) < 0.0005, qPrintable(QString::number(hem(*few) - hem(*many))));
+    }
+
 private:
+    static Scene hungByItsTop() {
+        Scene scene = alone(0.004);
+        const auto& outline = scene.pattern.pieces[0]->outline;
+        for (const std::size_t corner : {2, 3})
+            scene.pattern.pins.push_back({.id = pattern::PinId{"pin " + std::to_string(corner)},
+                                          .piece = scene.pattern.pieces[0]->id,
+                                          .vertex = outline.vertices[corner].id});
+        scene.settings.gravity = {0, -9.81, 0};
+        scene.settings.damping = 10;
+        return scene;
+    }
     static Scene hungByACorner() {
         Scene scene = alone(0.02);
         scene.settings.gravity = {0, -9.81, 0};

@@ -44,6 +44,7 @@ private slots:
     void theForceIsMinusTheGradientOfTheEnergyAndStaysBounded();
     void aForceGrowsInItsTime();
     void seamsOfAHigherOrderWait();
+    void aSeamIsNotGivenUpWhileItHasALongWayToGo();
     void aSeamMergesThoughOneSideAloneRestsOnTheBody();
     void sewingIsBitwiseRepeatable();
 };
@@ -110,6 +111,22 @@ void tst_SeamClosing::seamsOfAHigherOrderWait() {
     QVERIFY(simulation->gapOf(1).maximum < start); // the outer edges came along, no more
     while (!simulation->seams()[1].merged && simulation->state().time < 6) QVERIFY(simulation->advance());
     QVERIFY(simulation->seams()[1].merged);
+}
+
+/// 10 m at 5 m/s are 3 s, longer than a seam of a short way is waited for.
+void tst_SeamClosing::aSeamIsNotGivenUpWhileItHasALongWayToGo() {
+    Scene scene = twoSquares();
+    pattern::Piece far = *scene.pattern.pieces[1];
+    far.placement->transform.origin.x = 10;
+    scene.pattern.pieces[1] = far;
+    auto simulation = Simulation::create(scene);
+    QVERIFY(simulation);
+    while (!simulation->allSeamsMerged() && simulation->state().time < 4) {
+        QCOMPARE(simulation->phase(), Phase::sewing);
+        QVERIFY(simulation->advance());
+    }
+    QVERIFY(simulation->allSeamsMerged());
+    QVERIFY(simulation->state().time > 2.7);
 }
 
 /// The peg lifts the cell on one side of one pair, the other side hangs on it by the seam alone. What the push of a

@@ -12,8 +12,8 @@ using namespace toile::simulation;
 
 namespace {
 
-/// Two sheets close above a table, one over the other and both beyond its edge: in the first frame they fall on it and on
-/// each other. Some 10 000 particles, so that the work of every stage is shared out.
+/// Two sheets close above a table, one over the other and both beyond its edge: in the first frame they fall on it and
+/// on each other. Some 10 000 particles, so that the work of every stage is shared out.
 Scene fallingSheets(material::FabricKind kind) {
     Scene scene;
     scene.body = Shared<body::Body>(box());

@@ -114,6 +114,15 @@ void tst_Checkpoint::aCheckpointOfAnotherSceneIsRefused() {
     Scene later = shirt();
     later.pattern.seams[0].order += 1;
     QVERIFY(whyNot(later).find("different") != std::string::npos);
+    Scene folded = shirt();
+    folded.pattern.seams[0].foldAngle = 1;
+    QVERIFY(whyNot(folded).find("different") != std::string::npos);
+    Scene firmer = shirt();
+    firmer.pattern.seams[0].stiffnessFactor = 5;
+    QVERIFY(whyNot(firmer).find("different") != std::string::npos);
+    Scene gathered = shirt();
+    gathered.pattern.seams[0].sections = {{.ease = 0.001}};
+    QVERIFY(whyNot(gathered).find("different") != std::string::npos);
     Scene above = shirt();
     pattern::Piece piece = *above.pattern.pieces[0];
     piece.layer += 1;
