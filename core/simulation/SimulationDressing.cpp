@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/SeamClosing.h"
 #include "core/simulation/Simulation.h"
 
 #include <algorithm>
