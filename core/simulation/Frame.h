@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/Result.h"
 #include "core/base/Shared.h"
 #include "core/body/Landmarks.h"
 #include "core/geometry/Vec.h"
@@ -51,8 +52,9 @@ struct Frame {
     double largestSpeed = 0;   ///< [m/s]
     bool atRest = false;
     Finish finish = Finish::none;
-    double finishMove = 0; ///< how far statics moved any vertex [m]
-    std::string message;   ///< what the user should know, e.g. why it stopped
+    double finishMove = 0;         ///< how far statics moved any vertex [m]
+    std::vector<Warning> warnings; ///< of a garment that statics is done with: warningsOf()
+    std::string message;           ///< what the user should know, e.g. why it stopped
 };
 
 } // namespace toile::simulation

@@ -3,6 +3,7 @@
 
 #include "core/base/Mailbox.h"
 #include "core/simulation/Simulation.h"
+#include "core/simulation/Warnings.h"
 
 #include <algorithm>
 #include <atomic>
@@ -245,6 +246,7 @@ private:
         }
         attempts_ = 0;
         finish_ = found ? Finish::found : Finish::notFound;
+        warnings_ = warningsOf(*simulation_, contactOf(*simulation_));
         publish({});
     }
 
@@ -276,6 +278,7 @@ private:
         frame.message = std::move(message);
         frame.finish = finish_;
         frame.finishMove = finishMove_;
+        if (finish_ == Finish::found || finish_ == Finish::notFound) frame.warnings = warnings_;
         resting_ = frame.atRest;
         show(std::move(frame));
     }
@@ -301,8 +304,9 @@ private:
     bool resting_ = false;   ///< the frame published last is at rest
     double playUntil_ = 0;   ///< at rest or not [s]
     Finish finish_ = Finish::none;
-    double finishMove_ = 0; ///< of the finish before [m]
-    int attempts_ = 0;      ///< of statics, since something was changed or held
+    double finishMove_ = 0;         ///< of the finish before [m]
+    std::vector<Warning> warnings_; ///< and of the garment after it
+    int attempts_ = 0;              ///< of statics, since something was changed or held
 
     std::jthread thread_; // last: starts when all else stands, ends before all else goes
 };

@@ -3,8 +3,8 @@
 
 #include "core/base/CpuTime.h"
 #include "core/dynamics/Energy.h"
-#include "core/dynamics/SelfContact.h"
 #include "core/simulation/Inspect.h"
+#include "core/simulation/Warnings.h"
 
 #include <algorithm>
 #include <chrono>
@@ -124,22 +124,6 @@ void countElements(SewReport& result, const cloth::ClothModel& model) {
     result.clampedCells = model.clampedCells;
 }
 
-/// The name of a seam or tack, with its id where others are called the same.
-template <class Named>
-std::string labelAmong(const std::vector<Named>& all, std::size_t which) {
-    const Named& one = all[which];
-    const bool isAlone = std::ranges::count(all, one.name, &Named::name) == 1;
-    return isAlone ? fmt::format("\"{}\"", one.name) : fmt::format("\"{}\" ({})", one.name, one.id.value);
-}
-
-void warnOfOpenSeams(SewReport& result, const pattern::Pattern& pattern) {
-    for (std::size_t i = 0; i < result.seams.size(); ++i)
-        if (!result.seams[i].state.merged)
-            result.warnings.push_back(
-                {"seam " + labelAmong(pattern.seams, i),
-                 fmt::format("The seam is not closed; its gap is {:.1f} mm.", 1000 * result.seams[i].gap.maximum)});
-}
-
 void listTacks(SewReport& result, const Simulation& simulation) {
     for (std::size_t i = 0; i < simulation.tacks().size(); ++i) {
         const TackState& tack = simulation.tacks()[i];
@@ -151,67 +135,6 @@ void listTacks(SewReport& result, const Simulation& simulation) {
 void listFolds(SewReport& result, const Simulation& simulation) {
     const Garment& garment = simulation.garment();
     result.folds = foldReports(simulation.scene().pattern, garment.model, garment.folds, simulation.state().positions);
-}
-
-void warnOfOpenTacks(SewReport& result, const pattern::Pattern& pattern) {
-    for (std::size_t i = 0; i < result.tacks.size(); ++i)
-        if (!result.tacks[i].closed)
-            result.warnings.push_back(
-                {"tack " + labelAmong(pattern.tacks, i),
-                 fmt::format("The tack is not closed; its gap is {:.1f} mm.", 1000 * result.tacks[i].gap)});
-}
-
-/// One warning for each place, and no more than a reader can look at.
-void warnOfCrossedLayers(SewReport& result, const Simulation& simulation) {
-    constexpr std::size_t most = 10;
-    const auto* contact = dynamic_cast<const dynamics::SelfContact*>(simulation.plan().find("self-contact"));
-    if (!contact) return;
-    const std::vector<Vec3> places = contact->crossingPlaces(simulation.state().positions);
-    for (std::size_t i = 0; i < std::min(places.size(), most); ++i)
-        result.warnings.push_back(
-            {fmt::format("({:.3f}, {:.3f}, {:.3f}) m", places[i].x, places[i].y, places[i].z),
-             fmt::format("Layers have crossed here and could not be drawn apart ({} of {}).", i + 1, places.size())});
-}
-
-void warnOfWrongOrder(SewReport& result) {
-    if (result.contact.nodesInWrongOrder > 0)
-        result.warnings.push_back(
-            {"layers", fmt::format("{} nodes lie behind a piece of a lower layer.", result.contact.nodesInWrongOrder)});
-}
-
-void warnOfClothInBody(SewReport& result, double skinOffset) {
-    const ContactSummary& contact = result.contact;
-    if (contact.bodyIntersections == 0) return;
-    const bool particlesKeepOff = contact.bodyClearanceMinimum.value_or(0) >= skinOffset / 3;
-    result.warnings.push_back(
-        {"body contact",
-         fmt::format("Cloth cuts the body: {} pairs of triangles meet. {}", contact.bodyIntersections,
-                     particlesKeepOff
-                         ? "Its particles keep their distance, but cells are too coarse for how sharply the "
-                           "body is curved there; a finer spacing or a larger skin offset helps."
-                         : "Particles are pressed into it as well.")});
-}
-
-void warnOfHeldBackCloth(SewReport& result, const Simulation& simulation) {
-    for (const StepPlan::StageCost& stage : simulation.stageCosts())
-        if (stage.heldBack > 0)
-            result.warnings.push_back(
-                {stage.name,
-                 fmt::format("In {} substeps so much cloth was near, and so fast, that it was held back: its "
-                             "pairs would not have found room in memory.",
-                             stage.heldBack)});
-}
-
-void warnOfUnsolvedSteps(SewReport& result) {
-    for (const PhaseRun& phase : result.phases) {
-        if (phase.unsolvedSteps == 0) continue;
-        const bool byPositions = phase.method == dynamics::nameOf(dynamics::Method::xpbd);
-        result.warnings.push_back(
-            {nameOf(phase.phase),
-             fmt::format("{} frame steps by {} {} and were taken as they were.", phase.unsolvedSteps, phase.method,
-                         byPositions ? "gained energy that nothing gave them"
-                                     : "have parts that did not reach their tolerance")});
-    }
 }
 
 void tellOfSleep(SewReport& result) {
@@ -272,16 +195,9 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
             {simulation.seams()[seam], simulation.seams()[seam].merged ? SeamGap{} : simulation.gapOf(seam)});
     listTacks(result, simulation);
     listFolds(result, simulation);
-    warnOfOpenSeams(result, simulation.scene().pattern);
-    warnOfOpenTacks(result, simulation.scene().pattern);
-    warnOfCrossedLayers(result, simulation);
-    warnOfHeldBackCloth(result, simulation);
     result.phases = simulation.phases();
-    warnOfUnsolvedSteps(result);
-    for (const Warning& warning : simulation.garment().mesh->report.warnings) result.warnings.push_back(warning);
     result.contact = contactOf(simulation);
-    warnOfClothInBody(result, simulation.scene().settings.skinOffset);
-    warnOfWrongOrder(result);
+    result.warnings = warningsOf(simulation, result.contact);
     judgeWorn(result, simulation, settings);
     result.strain = strainOf(simulation);
     result.curvature = curvatureOf(simulation);

@@ -26,6 +26,7 @@ private slots:
     void aGarmentAtRestSleepsUntilSomethingChanges();
     void aHandWakesAGarmentAtRest();
     void aGarmentAtRestIsFinishedByStatics();
+    void whatIsWrongWithItIsSaidThen();
     void theWayToTheEquilibriumHasNoJumps();
     void everyOrderStopsStatics_data();
     void everyOrderStopsStatics();
@@ -209,6 +210,28 @@ void tst_Runner::aGarmentAtRestIsFinishedByStatics() {
     QVERIFY(QTest::qWaitFor([&] { return !runner.isBusy(); }, 60000));
     const auto resting = runner.takeFrame();
     QVERIFY(resting && resting->atRest && resting->finish == Finish::none);
+}
+
+/// All corners along the seam are pinned, 0.2 m apart.
+void tst_Runner::whatIsWrongWithItIsSaidThen() {
+    Scene scene = twoSquares(0.05);
+    for (const auto& [piece, vertex] : {std::pair{"left", "v1"}, {"left", "v2"}, {"right", "v0"}, {"right", "v3"}})
+        scene.pattern.pins.push_back(
+            {pattern::PinId(std::string(piece) + vertex), pattern::PieceId(piece), pattern::VertexId(vertex)});
+    Runner runner;
+    runner.finishAtRest(true);
+    runner.setScene(scene, 1);
+    runner.play();
+    std::size_t before = 0; // what is said while it is not at rest
+    const auto finished = waitForFrame(runner, [&](const Frame& f) {
+        if (f.finish == Finish::none) before += f.warnings.size();
+        return f.finish == Finish::found || f.finish == Finish::notFound;
+    });
+    QVERIFY(finished);
+    QCOMPARE(before, std::size_t(0));
+    QCOMPARE(finished->warnings.size(), std::size_t(1));
+    QCOMPARE(finished->warnings[0].place, std::string("seam \"middle\""));
+    QVERIFY(finished->warnings[0].text.starts_with("The seam is not closed; its gap is 200.0 mm"));
 }
 
 void tst_Runner::theWayToTheEquilibriumHasNoJumps() {

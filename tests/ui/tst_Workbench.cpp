@@ -33,6 +33,7 @@ private Q_SLOTS:
     void olderFramesAreDropped();
     void armsAreLiftedAndLetDownAgain();
     void theEndOfTheFinishIsToldOnce();
+    void whatIsWrongAfterTheFinishIsToldAsAProblem();
     void theGarmentStaysInViewWhileItCannotBeBuilt();
     void framesAreAskedForOnlyWhileSomethingHappens();
     void anotherDocumentBeginsAnew();
@@ -132,6 +133,24 @@ void tst_Workbench::theEndOfTheFinishIsToldOnce() {
     }
     QCOMPARE(told.size(), 1);
     QVERIFY(told[0][0].toString().contains(QStringLiteral("6.2 mm")));
+    QVERIFY(!told[0][1].toBool());
+}
+
+void tst_Workbench::whatIsWrongAfterTheFinishIsToldAsAProblem() {
+    Fixture fixture;
+    Workbench workbench(fixture.parts());
+    workbench.startFrom(twoRectangles(), {}, false);
+    QSignalSpy told(&workbench, &Workbench::messageChanged);
+    fixture.log.frame = frameOf(workbench.generation());
+    fixture.log.frame->finish = simulation::Finish::found;
+    fixture.log.frame->warnings = {{"seam \"side\"", "The seam is not closed; its gap is 12.0 mm."},
+                                   {"layers", "4 nodes lie behind a piece of a lower layer."}};
+    workbench.pollFrame();
+    QCOMPARE(told.size(), 1);
+    const QStringList lines = told[0][0].toString().split(QLatin1Char('\n'));
+    QCOMPARE(lines.size(), 3);
+    QCOMPARE(lines[0], QStringLiteral("seam \"side\": The seam is not closed; its gap is 12.0 mm."));
+    QVERIFY(told[0][1].toBool());
 }
 
 void tst_Workbench::theGarmentStaysInViewWhileItCannotBeBuilt() {

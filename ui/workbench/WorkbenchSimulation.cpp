@@ -42,10 +42,15 @@ void Workbench::finishAtRest(bool wanted) {
 void Workbench::tellOfFinish(const simulation::Frame& frame) {
     if (frame_ && frame_->finish == frame.finish) return;
     const QString move = textOf(Quantity::length, frame.finishMove);
+    QStringList lines;
+    for (const Warning& warning : frame.warnings) lines << QString::fromStdString(warning.place + ": " + warning.text);
     if (frame.finish == simulation::Finish::found)
-        tell(tr("In equilibrium: statics moved the cloth by %1 at most.").arg(move));
-    if (frame.finish == simulation::Finish::notFound)
-        tell(tr("At rest, but statics found no equilibrium; what came nearest is shown, %1 away at most.").arg(move));
+        lines << tr("In equilibrium: statics moved the cloth by %1 at most.").arg(move);
+    else if (frame.finish == simulation::Finish::notFound)
+        lines
+            << tr("At rest, but statics found no equilibrium; what came nearest is shown, %1 away at most.").arg(move);
+    else return;
+    tell(lines.join(QLatin1Char('\n')), !frame.warnings.empty());
 }
 
 /// What stops the simulation is told until it goes on; what does not, as long as any other problem.
