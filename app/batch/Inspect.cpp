@@ -50,6 +50,8 @@ Json seamJson(const pattern::Pattern& pattern, const pattern::Seam& seam) {
         for (const pattern::SectionLengths& section : *sections) ease += section.wantedEase;
     Json json;
     json.set("id", seam.id.value).set("name", seam.name).set("lengthA", a).set("lengthB", b);
+    json.set("elasticRatio", seam.elastic ? Json(seam.elastic->ratio) : Json());
+    json.set("elasticStiffness", seam.elastic ? Json(seam.elastic->stiffness) : Json());
     return json.set("difference", a - b).set("declaredEase", ease).set("order", seam.order);
 }
 

@@ -72,7 +72,8 @@ struct ClothModel {
     std::vector<Slave> slaves;
 
     std::vector<Spring> structural, shear;
-    std::vector<Spring> flexion; ///< the paper's skip-one springs; empty but in paper mode
+    std::vector<Spring> elastics; ///< bands that are sewn into seams
+    std::vector<Spring> flexion;  ///< the paper's skip-one springs; empty but in paper mode
     std::vector<Stencil> bending, twist;
     std::vector<Hinge> hinges;
     std::vector<MembraneTriangle> triangles;

@@ -89,7 +89,8 @@ Vec3 ownDirection(int a, int b) {
 
 ElasticEnergy elasticEnergy(const ClothModel& model, Positions x) {
     ElasticEnergy e;
-    e.springs = energyOf(model.structural, x) + energyOf(model.shear, x) + energyOf(model.flexion, x);
+    e.springs = energyOf(model.structural, x) + energyOf(model.shear, x) + energyOf(model.elastics, x) +
+                energyOf(model.flexion, x);
     e.bending = energyOf(model.bending, x) + energyOf(model.twist, x) + energyOf(model.hinges, x);
     for (const MembraneTriangle& t : model.triangles) e.membrane += triangleEnergy(model, t, gradientOf(t, x));
     for (const MembraneCell& c : model.cells) e.membrane += cellEnergy(model, c, sidesOf(c, x));
@@ -102,7 +103,8 @@ double energy(const ClothModel& model, Positions x) {
 
 void addForces(const ClothModel& model, Positions x, std::span<Vec3> forces) {
     expects(x.size() == model.mass.size() && forces.size() == x.size(), "one position and force per particle");
-    for (const auto* springs : {&model.structural, &model.shear, &model.flexion}) addForcesOf(*springs, x, forces);
+    for (const auto* springs : {&model.structural, &model.shear, &model.elastics, &model.flexion})
+        addForcesOf(*springs, x, forces);
     for (const auto* stencils : {&model.bending, &model.twist}) addForcesOf(*stencils, x, forces);
     addForcesOf(model.hinges, x, forces);
     for (const MembraneTriangle& t : model.triangles) {

@@ -11,7 +11,7 @@ namespace toile::cloth {
 
 /// Elastic energy by kind of element [J].
 struct ElasticEnergy {
-    double springs = 0;  ///< structural, shear and flexion
+    double springs = 0;  ///< structural, shear and flexion, and elastics
     double bending = 0;  ///< three-point, twist and hinges
     double membrane = 0; ///< triangles and membrane cells
     [[nodiscard]] double total() const { return springs + bending + membrane; }

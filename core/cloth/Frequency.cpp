@@ -55,7 +55,7 @@ private:
 
 std::vector<double> rowSums(const ClothModel& model, std::span<const Vec3> positions) {
     RowSums rows(model.mass.size());
-    for (const auto* springs : {&model.structural, &model.shear, &model.flexion})
+    for (const auto* springs : {&model.structural, &model.shear, &model.elastics, &model.flexion})
         for (const Spring& s : *springs) rows.addRankOne(std::array{s.a, s.b}, std::array{-1.0, 1.0}, s.stiffness);
     for (const auto* stencils : {&model.bending, &model.twist})
         for (const Stencil& s : *stencils) rows.addRankOne(s.particles, s.coefficients, s.stiffness);

@@ -135,7 +135,8 @@ void addHinge(const Hinge& hinge, Positions x, HessianForm form, HessianSink& si
 
 void addHessian(const ClothModel& model, Positions x, HessianForm form, HessianSink& sink) {
     expects(x.size() == model.mass.size(), "one position per particle");
-    for (const auto* springs : {&model.structural, &model.shear, &model.flexion}) addSprings(*springs, x, form, sink);
+    for (const auto* springs : {&model.structural, &model.shear, &model.elastics, &model.flexion})
+        addSprings(*springs, x, form, sink);
     for (const auto* stencils : {&model.bending, &model.twist}) addStencils(*stencils, sink);
     for (const Hinge& h : model.hinges) addHinge(h, x, form, sink);
     for (const MembraneTriangle& t : model.triangles) addTriangle(model, t, x, form, sink);

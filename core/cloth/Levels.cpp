@@ -7,9 +7,9 @@
 namespace toile::cloth {
 namespace {
 
-constexpr std::tuple elementArrays{&ClothModel::structural, &ClothModel::shear, &ClothModel::flexion,
-                                   &ClothModel::bending,    &ClothModel::twist, &ClothModel::hinges,
-                                   &ClothModel::triangles,  &ClothModel::cells};
+constexpr std::tuple elementArrays{&ClothModel::structural, &ClothModel::shear,     &ClothModel::elastics,
+                                   &ClothModel::flexion,    &ClothModel::bending,   &ClothModel::twist,
+                                   &ClothModel::hinges,     &ClothModel::triangles, &ClothModel::cells};
 
 template <class Visit>
 void forEachArray(const Visit& visit) {

@@ -14,8 +14,9 @@ namespace toile::dynamics {
 namespace {
 
 std::int64_t elementsOf(const cloth::ClothModel& m) {
-    return static_cast<std::int64_t>(m.structural.size() + m.shear.size() + m.flexion.size() + m.bending.size() +
-                                     m.twist.size() + m.hinges.size() + m.triangles.size() + m.cells.size());
+    return static_cast<std::int64_t>(m.structural.size() + m.shear.size() + m.elastics.size() + m.flexion.size() +
+                                     m.bending.size() + m.twist.size() + m.hinges.size() + m.triangles.size() +
+                                     m.cells.size());
 }
 
 } // namespace

@@ -105,7 +105,7 @@ int XpbdSweep::spare(int lane, int corner) const {
 
 void XpbdSweep::compileSprings() {
     std::vector<cloth::Spring> springs;
-    for (const auto* some : {&model_.structural, &model_.shear, &model_.flexion})
+    for (const auto* some : {&model_.structural, &model_.shear, &model_.elastics, &model_.flexion})
         for (const cloth::Spring& s : *some) {
             const std::array ends{s.a, s.b};
             if (s.stiffness <= 0) continue;

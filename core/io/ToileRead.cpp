@@ -214,6 +214,13 @@ SeamSection sectionOf(JsonNode& node) {
     return section;
 }
 
+Elastic elasticOf(JsonNode node) {
+    Elastic elastic;
+    elastic.ratio = node["ratio"].number(elastic.ratio);
+    elastic.stiffness = node["stiffness"].number(elastic.stiffness);
+    return elastic;
+}
+
 Seam seamOf(JsonNode& node) {
     Seam seam;
     seam.id = idOf<SeamId>(node.required("id"));
@@ -221,6 +228,7 @@ Seam seamOf(JsonNode& node) {
     seam.foldAngle = angleOf(node["foldAngleDegrees"]);
     seam.stiffnessFactor = node["stiffnessFactor"].number(seam.stiffnessFactor);
     seam.order = node["order"].integer(0, -1'000'000, 1'000'000);
+    if (const JsonNode elastic = node["elastic"]; elastic.exists()) seam.elastic = elasticOf(elastic);
     seam.sections = listOf(node["sections"], sectionOf);
     seam.sides = {listOf(node.required("sideA"), seamPartOf), listOf(node.required("sideB"), seamPartOf)};
     seam.unknown = node.unknown();

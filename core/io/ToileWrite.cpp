@@ -197,11 +197,18 @@ Json sectionJson(const SeamSection& section) {
     return json;
 }
 
+Json elasticJson(const Elastic& elastic) {
+    Json json;
+    json.set("ratio", elastic.ratio).set("stiffness", elastic.stiffness);
+    return json;
+}
+
 Json seamJson(const Seam& seam) {
     Json json;
     json.set("id", seam.id.value).set("name", seam.name);
     json.set("foldAngleDegrees", degrees(seam.foldAngle)).set("stiffnessFactor", seam.stiffnessFactor);
     json.set("order", seam.order);
+    if (seam.elastic) json.set("elastic", elasticJson(*seam.elastic));
     setList(json, "sections", seam.sections, sectionJson);
     json.set("sideA", listJson(seam.sides[0], seamPartJson)).set("sideB", listJson(seam.sides[1], seamPartJson));
     addUnknown(json, seam.unknown);

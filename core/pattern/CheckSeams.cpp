@@ -55,6 +55,9 @@ void checkNumbers(const Seam& seam, Problems& problems) {
     if (!(seam.stiffnessFactor > 0 && std::isfinite(seam.stiffnessFactor)))
         problems.error("stiffnessFactor",
                        fmt::format("The stiffness factor is {}, but must be positive.", seam.stiffnessFactor));
+    if (seam.elastic)
+        if (const auto ok = checked(*seam.elastic); !ok)
+            problems.error("elastic." + ok.error().place.path, ok.error().text);
     for (std::size_t i = 0; i < seam.sections.size(); ++i) {
         if (!std::isfinite(seam.sections[i].ease))
             problems.error(fmt::format("sections[{}].ease", i), "The ease must be a finite length.");

@@ -202,6 +202,13 @@ struct SeamSection {
     friend bool operator==(const SeamSection&, const SeamSection&) = default;
 };
 
+/// A band that is sewn in along a seam and draws it up. T = stiffness·(l/l₀ − 1)  [N] with l₀ = ratio · sewn length.
+struct Elastic {
+    double ratio = 0.7;    ///< length at rest over the sewn length [–], between 0 and 1
+    double stiffness = 40; ///< tension per strain of the band [N]
+    friend bool operator==(const Elastic&, const Elastic&) = default;
+};
+
 /// Two chains of edges that are sewn together, walked so that first meets first and last meets last.
 struct Seam {
     SeamId id;
@@ -211,6 +218,7 @@ struct Seam {
     double foldAngle = 0;              ///< rest angle [rad]; 0 = flat
     double stiffnessFactor = 1;        ///< bending along the seam [–]
     int order = 0;                     ///< smaller is sewn first
+    std::optional<Elastic> elastic;    ///< absent = none is sewn in
     Json unknown;                      ///< keys of the file that we do not know; kept
     friend bool operator==(const Seam&, const Seam&) = default;
 };

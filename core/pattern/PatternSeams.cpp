@@ -209,6 +209,29 @@ Result<Pattern> setSeamStiffness(const Pattern& pattern, const SeamId& seam, dou
     });
 }
 
+Result<Pattern> setElastic(const Pattern& pattern, const SeamId& seam, std::optional<Elastic> elastic) {
+    return changed(pattern, seam, [&](Seam& s) -> Result<void> {
+        if (elastic)
+            if (const auto ok = checked(*elastic); !ok)
+                return fail(ErrorCode::invalidInput, ok.error().text, placeOf(s));
+        s.elastic = elastic;
+        return {};
+    });
+}
+
+Result<void> checked(const Elastic& elastic) {
+    if (!(elastic.ratio > 0 && elastic.ratio < 1))
+        return fail(ErrorCode::invalidInput,
+                    fmt::format("An elastic is shorter than its seam: its ratio is {}, but must be between 0 and 1.",
+                                elastic.ratio),
+                    {.path = "ratio"});
+    if (!(elastic.stiffness > 0 && std::isfinite(elastic.stiffness)))
+        return fail(ErrorCode::invalidInput,
+                    fmt::format("The stiffness of an elastic is {} N, but must be positive.", elastic.stiffness),
+                    {.path = "stiffness"});
+    return {};
+}
+
 Result<Pattern> setSeamOrder(const Pattern& pattern, const SeamId& seam, int order) {
     return changed(pattern, seam, [&](Seam& s) -> Result<void> {
         s.order = order;

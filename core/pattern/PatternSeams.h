@@ -46,6 +46,10 @@ struct EdgePick {
 /// Rest angle [rad]; 0 = flat.
 [[nodiscard]] Result<Pattern> setFoldAngle(const Pattern& pattern, const SeamId& seam, double angle);
 [[nodiscard]] Result<Pattern> setSeamStiffness(const Pattern& pattern, const SeamId& seam, double factor);
+/// Absent = none is sewn in.
+[[nodiscard]] Result<Pattern> setElastic(const Pattern& pattern, const SeamId& seam, std::optional<Elastic> elastic);
+/// The ratio lies between 0 and 1 and the stiffness is positive; the error's path names the field.
+[[nodiscard]] Result<void> checked(const Elastic& elastic);
 [[nodiscard]] Result<Pattern> setSeamOrder(const Pattern& pattern, const SeamId& seam, int order);
 [[nodiscard]] Result<Pattern> renameSeam(const Pattern& pattern, const SeamId& seam, std::string name);
 

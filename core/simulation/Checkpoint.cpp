@@ -33,7 +33,7 @@ void addModel(Numbers& numbers, const Garment& garment) {
     const cloth::ClothModel& model = garment.model;
     for (const double m : model.mass) numbers.add(m);
     for (const int p : model.pinned) numbers.add(p);
-    for (const auto* springs : {&model.structural, &model.shear, &model.flexion})
+    for (const auto* springs : {&model.structural, &model.shear, &model.elastics, &model.flexion})
         for (const cloth::Spring& s : *springs) numbers.add(s.a, s.b, s.restLength, s.stiffness);
     for (const auto* stencils : {&model.bending, &model.twist})
         for (const cloth::Stencil& s : *stencils) {
@@ -60,6 +60,7 @@ void addModel(Numbers& numbers, const Garment& garment) {
 void addSeam(Numbers& numbers, std::size_t index, const pattern::Seam& seam) {
     if (seam.order != 0) numbers.add(index, seam.order);
     if (seam.foldAngle != 0 || seam.stiffnessFactor != 1) numbers.add(index, seam.foldAngle, seam.stiffnessFactor);
+    if (seam.elastic) numbers.add(index, seam.elastic->ratio, seam.elastic->stiffness);
     for (const pattern::SeamSection& section : seam.sections)
         if (section != pattern::SeamSection{}) numbers.add(index, section.ease, section.gatherRatio.value_or(0));
 }

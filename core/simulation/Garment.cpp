@@ -4,6 +4,7 @@
 #include "core/cloth/Patch.h"
 #include "core/pattern/PatternFabrics.h"
 #include "core/simulation/DrawnUp.h"
+#include "core/simulation/SeamElastics.h"
 #include "core/simulation/SeamHinges.h"
 
 #include <algorithm>
@@ -105,6 +106,7 @@ Result<Garment> makeGarment(const Pattern& pattern, Shared<meshing::GarmentMesh>
     if (!paper) {
         garment.folds = appendFoldHinges(garment.model, pattern, *garment.mesh, garment.particles);
         appendSeamHinges(garment.model, pattern, *garment.mesh, garment.mergedSeams, garment.particles);
+        appendSeamElastics(garment.model, pattern, *garment.mesh, garment.mergedSeams, garment.particles);
     }
     if (const auto pinned = pinParticles(garment, pattern); !pinned) return tl::unexpected(pinned.error());
     cloth::doubleBendingAtClampedRows(garment.model);

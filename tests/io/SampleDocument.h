@@ -88,6 +88,7 @@ inline document::Document everyField() {
     seam.foldAngle = 0.25;
     seam.stiffnessFactor = 2;
     seam.order = 3;
+    seam.elastic = Elastic{.ratio = 0.65, .stiffness = 25};
 
     Tack button;
     button.id = TackId("t1");

@@ -88,6 +88,11 @@ void tst_CheckFile::aBrokenDocumentGetsOneLine_data() {
     QTest::newRow("layer-too-high") << true
                                     << "layer-too-high.toile:49: pieces[1].layer: piece \"Back\": The layer is 1000, "
                                        "but must be from 0 to 100.";
+    QTest::newRow("lengthening-elastic")
+        << true
+        << "lengthening-elastic.toile:76: seams[0].elastic.ratio: seam \"right side\": "
+           "An elastic is shorter than its seam: its ratio is 1.2, but must be between "
+           "0 and 1.";
     QTest::newRow("mirror-of-nothing")
         << true
         << "mirror-of-nothing.toile:76: pieces[2].mirror.source: piece \"Image\": There is no piece \"nobody\".";
@@ -176,7 +181,7 @@ void tst_CheckFile::aBrokenDocumentGetsOneLine() {
 }
 
 void tst_CheckFile::everyBrokenDocumentIsListed() {
-    QCOMPARE(QDir(brokenFolder()).entryList({"*.toile"}).size(), 38);
+    QCOMPARE(QDir(brokenFolder()).entryList({"*.toile"}).size(), 39);
 }
 
 void tst_CheckFile::aFileOfAnUnknownKindIsRefused() {

@@ -25,6 +25,7 @@ private slots:
     void easeAwayLeavesNoMismatch();
     void aGatherRatioCountsAsEase();
     void gatherAwayTakesTheDifferenceAsGathers();
+    void anElasticIsShorterThanItsSeam();
     void aSeamIsRemoved();
 };
 
@@ -198,6 +199,18 @@ void tst_PatternSeams::aGatherRatioCountsAsEase() {
     pattern.pieces[0] = tests::rectangle("front", 0.3, 0.6);
     const Pattern gathered = *setGatherRatio(pattern, SeamId("s1"), 0, 1.5); // 0.6 m onto 0.4 m
     QVERIFY(std::abs((*sectionsOf(gathered, gathered.seams[0]))[0].mismatch()) < 1e-12);
+}
+
+void tst_PatternSeams::anElasticIsShorterThanItsSeam() {
+    const Pattern pattern = tests::twoPanels();
+    const SeamId seam("s1");
+    const Pattern drawn = *setElastic(pattern, seam, Elastic{.ratio = 0.6, .stiffness = 30});
+    QVERIFY(findSeam(drawn, seam)->elastic == (Elastic{.ratio = 0.6, .stiffness = 30}));
+    QVERIFY(*setElastic(drawn, seam, std::nullopt) == pattern);
+    for (const double ratio : {0.0, 1.0, -0.5, std::nan("")}) QVERIFY(!setElastic(pattern, seam, Elastic{ratio, 30}));
+    for (const double stiffness : {0.0, -1.0, std::nan("")})
+        QVERIFY(!setElastic(pattern, seam, Elastic{0.6, stiffness}));
+    QVERIFY(!setElastic(pattern, SeamId("nobody"), Elastic{}));
 }
 
 void tst_PatternSeams::aSeamIsRemoved() {

@@ -32,6 +32,7 @@ private Q_SLOTS:
     void aSideMayNotLeaveItsEdge();
     void seamsAreSelectedReversedAndDeleted();
     void theSheetGathersTheLongerSide();
+    void theSheetSewsAnElasticIn();
     void theSheetMendsSectionsThatDoNotFit();
 
     void cornersMakeARegion();
@@ -297,6 +298,28 @@ void tst_SewingTools::theSheetGathersTheLongerSide() {
     hand.document = *std::get<FlagRow>(*rowOf("gathered")).set(hand.document, false);
     QVERIFY(!seam().sections.at(0).gatherRatio);
     QVERIFY(std::abs(seam().sections.at(0).ease - 0.15) < 1e-12);
+}
+
+void tst_SewingTools::theSheetSewsAnElasticIn() {
+    SewSegments tool;
+    Hand hand{twoRectangles()};
+    hand.click(tool, {0.1, -0.1});
+    hand.click(tool, {0.2, -0.1});
+    const auto seam = [&]() -> const pattern::Seam& { return hand.document.pattern.seams.at(0); };
+    const auto rowOf = [&](const char* name) -> std::optional<decltype(PropertyRow::content)> {
+        const FlatPattern flat = flattened(hand.document.pattern);
+        const PropertySheet sheet = sheetOf({hand.document, flat, {seam().id}}, {});
+        const auto row = std::ranges::find(sheet.rows, QString::fromLatin1(name), &PropertyRow::name);
+        return row == sheet.rows.end() ? std::nullopt : std::optional(row->content);
+    };
+    QVERIFY(rowOf("elastic") && !rowOf("elasticRatio"));
+    hand.document = *std::get<FlagRow>(*rowOf("elastic")).set(hand.document, true);
+    QVERIFY(seam().elastic == pattern::Elastic{});
+    hand.document = *std::get<NumberRow>(*rowOf("elasticRatio")).set(hand.document, 0.6);
+    hand.document = *std::get<NumberRow>(*rowOf("elasticStiffness")).set(hand.document, 25);
+    QVERIFY(seam().elastic == (pattern::Elastic{.ratio = 0.6, .stiffness = 25}));
+    hand.document = *std::get<FlagRow>(*rowOf("elastic")).set(hand.document, false);
+    QVERIFY(!seam().elastic && !rowOf("elasticStiffness"));
 }
 
 void tst_SewingTools::cornersMakeARegion() {

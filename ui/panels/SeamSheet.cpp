@@ -64,6 +64,34 @@ void addLengthRows(PropertySheet& sheet, const Desk& desk, const Seam& seam) {
             {QStringLiteral("easeAway"), tr("Take the difference as ease"), ActionRow{setting(seam.id, easeAway)}});
 }
 
+void addElasticRows(PropertySheet& sheet, const Seam& seam) {
+    const auto& now = seam.elastic;
+    sheet.rows.push_back({QStringLiteral("elastic"), tr("Elastic"),
+                          FlagRow{now.has_value(), setting(seam.id,
+                                                           [](const Pattern& p, const SeamId& id, bool on) {
+                                                               return setElastic(
+                                                                   p, id, on ? std::optional(Elastic{}) : std::nullopt);
+                                                           })},
+                          tr("A band that is sewn in along the seam and draws it up.")});
+    if (!now) return;
+    const auto number = [&](const char* name, const QString& label, Quantity quantity, double Elastic::*field,
+                            double low, double high, double step, const QString& tip) {
+        sheet.rows.push_back({QString::fromLatin1(name), label,
+                              NumberRow{quantity, *now.*field, low, high, step,
+                                        setting(seam.id,
+                                                [was = *now, field](const Pattern& p, const SeamId& id, double value) {
+                                                    Elastic next = was;
+                                                    next.*field = value;
+                                                    return setElastic(p, id, next);
+                                                })},
+                              tip});
+    };
+    number("elasticRatio", tr("Elastic: length"), Quantity::factor, &Elastic::ratio, 0.05, 0.99, 0.05,
+           tr("At rest, as a share of the sewn length."));
+    number("elasticStiffness", tr("Elastic: stiffness"), Quantity::force, &Elastic::stiffness, 0.1, 10'000, 5,
+           tr("The pull at which the band is twice as long as at rest."));
+}
+
 } // namespace
 
 PropertySheet seamSheet(const Desk& desk, const Seam& seam) {
@@ -82,6 +110,7 @@ PropertySheet seamSheet(const Desk& desk, const Seam& seam) {
         {QStringLiteral("stiffness"), tr("Stiffness"),
          NumberRow{Quantity::factor, seam.stiffnessFactor, 0, 1000, 0.5, setting(seam.id, setSeamStiffness)},
          tr("Bending along the seam, as a factor.")});
+    addElasticRows(sheet, seam);
     sheet.rows.push_back({QStringLiteral("order"), tr("Order"),
                           NumberRow{Quantity::count, double(seam.order), -1000, 1000, 1,
                                     setting(seam.id,

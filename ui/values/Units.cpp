@@ -26,6 +26,7 @@ UnitFormat formatOf(Quantity quantity) {
     case Quantity::foldAngle: return {-degreesPerRadian, 180, 0, QStringLiteral("°")};
     case Quantity::arealDensity: return {1000, 0, 1, QStringLiteral(" g/m²")};
     case Quantity::tension: return {1, 0, 1, QStringLiteral(" N/m")};
+    case Quantity::force: return {1, 0, 1, QStringLiteral(" N")};
     case Quantity::bending: return {1e6, 0, 2, QStringLiteral(" µN·m")};
     case Quantity::acceleration: return {1, 0, 2, QStringLiteral(" m/s²")};
     case Quantity::damping: return {1, 0, 2, QStringLiteral(" 1/s")};

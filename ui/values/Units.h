@@ -13,6 +13,7 @@ enum class Quantity {
     foldAngle,    ///< rad from flat, shown in degrees with 180° = flat
     arealDensity, ///< kg/m², shown in g/m²
     tension,      ///< N/m
+    force,        ///< N
     bending,      ///< N·m, shown in µN·m
     acceleration, ///< m/s²
     damping,      ///< 1/s

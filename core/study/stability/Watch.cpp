@@ -78,7 +78,7 @@ cloth::ClothModel capped(cloth::ClothModel model, double h, double cap) {
     const auto limit = [&](double& stiffness, double w) {
         if (w > 0) stiffness = std::min(stiffness, cap / (w * h * h));
     };
-    for (auto* springs : {&model.structural, &model.shear, &model.flexion})
+    for (auto* springs : {&model.structural, &model.shear, &model.elastics, &model.flexion})
         for (cloth::Spring& s : *springs) limit(s.stiffness, inverseMass[s.a] + inverseMass[s.b]);
     for (auto* stencils : {&model.bending, &model.twist})
         for (cloth::Stencil& s : *stencils) {
