@@ -35,6 +35,8 @@ Json pieceJson(const pattern::Pattern& pattern, const pattern::Piece& authored) 
     json.set("plies", piece.plies)
         .set("layer", piece.layer)
         .set("pressure", piece.pressure)
+        .set("frozen", piece.frozen)
+        .set("strengthened", piece.strengthened)
         .set("spacing", piece.spacing)
         .set("area", pattern::areaOf(piece));
     json.set("width", box.high.x - box.low.x).set("height", box.high.y - box.low.y);

@@ -185,6 +185,8 @@ Shared<Piece> pieceOf(JsonNode& node) {
     piece.plies = node["plies"].integer(1, -1'000'000, 1'000'000);
     piece.layer = node["layer"].integer(0, -1'000'000, 1'000'000);
     piece.pressure = node["pressure"].number(piece.pressure);
+    piece.frozen = node["frozen"].truth();
+    piece.strengthened = node["strengthened"].truth();
     piece.spacing = lengthOf(node["spacing"], piece.spacing);
     piece.grain = angleOf(node["grainDegrees"]);
     piece.seamAllowance = lengthOf(node["seamAllowance"], piece.seamAllowance);

@@ -167,6 +167,8 @@ Json pieceJson(const Shared<Piece>& shared) {
     if (piece.plies != 1) json.set("plies", piece.plies);
     if (piece.layer != 0) json.set("layer", piece.layer);
     if (piece.pressure != 0) json.set("pressure", piece.pressure);
+    if (piece.frozen) json.set("frozen", true);
+    if (piece.strengthened) json.set("strengthened", true);
     json.set("spacing", millimetres(piece.spacing));
     json.set("grainDegrees", degrees(piece.grain)).set("seamAllowance", millimetres(piece.seamAllowance));
     json.set("rule", nameIn(lineRuleNames, piece.rule)).set("regionBorder", nameIn(regionBorderNames, piece.border));

@@ -174,6 +174,8 @@ struct Piece {
     std::vector<Notch> notches;
     std::vector<Fold> folds;
     std::vector<InternalLine> internalLines;
+    bool frozen = false;       ///< its cloth stays where it lies; a mirror image has its own
+    bool strengthened = false; ///< stiffer to bend for the time being; a mirror image has its own
     std::optional<Placement> placement;
     std::optional<MirrorOf> mirror;
     LineRule rule = LineRule::regular;

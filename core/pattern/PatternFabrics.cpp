@@ -84,7 +84,10 @@ std::optional<Fabric> clothOf(const Pattern& pattern, const Piece& piece) {
     const Fabric* fabric = findFabric(pattern, piece.fabric);
     if (!fabric) return std::nullopt;
     const Fabric ply = piece.interfacing ? material::fused(*fabric, *piece.interfacing) : *fabric;
-    return material::backed(ply, *fabric, piece.plies - 1);
+    Fabric cloth = material::backed(ply, *fabric, piece.plies - 1);
+    if (piece.strengthened)
+        for (double* bending : {&cloth.warpBending, &cloth.weftBending, &cloth.biasBending}) *bending *= strengthening;
+    return cloth;
 }
 
 } // namespace toile::pattern

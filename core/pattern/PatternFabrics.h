@@ -24,8 +24,13 @@ constexpr int mostPlies = 8;
 /// Cuts a piece from so many plies of its fabric, 1 to mostPlies.
 [[nodiscard]] Result<Pattern> setPlies(const Pattern& pattern, const PieceId& piece, int plies);
 
-/// What a piece is made of: all plies of its fabric, one of them with its interfacing. Nothing for a fabric that there
-/// is not.
+/// Factor on all bending stiffnesses of a strengthened piece [–]. Cloth holds itself up over the cube root of it, 4.6
+/// times as far: as far as a hand is wide, where a shirting does it for 2 cm. Stretch and shear, by which cloth is
+/// stiff for its weight as it is, stay.
+constexpr double strengthening = 100;
+
+/// What a piece is made of: all plies of its fabric, one of them with its interfacing, strengthened if it is. Nothing
+/// for a fabric that there is not.
 [[nodiscard]] std::optional<Fabric> clothOf(const Pattern& pattern, const Piece& piece);
 
 } // namespace toile::pattern

@@ -66,6 +66,8 @@ Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Ve
     image.plies = original->plies;
     image.layer = original->layer;
     image.pressure = original->pressure;
+    image.frozen = original->frozen;
+    image.strengthened = original->strengthened;
     image.spacing = original->spacing;
     image.seamAllowance = original->seamAllowance;
     image.rule = original->rule;
@@ -192,6 +194,20 @@ Result<Pattern> setPressure(const Pattern& pattern, const PieceId& piece, double
                         fmt::format("A pressure is a number from {} to {} Pa.", -mostPressure, mostPressure),
                         placeOf(p));
         p.pressure = pressure;
+        return {};
+    });
+}
+
+Result<Pattern> setFrozen(const Pattern& pattern, const PieceId& piece, bool frozen) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        p.frozen = frozen;
+        return {};
+    });
+}
+
+Result<Pattern> setStrengthened(const Pattern& pattern, const PieceId& piece, bool strengthened) {
+    return changed(pattern, piece, [&](Piece& p) -> Result<void> {
+        p.strengthened = strengthened;
         return {};
     });
 }

@@ -13,8 +13,9 @@ constexpr double mostPressure = 10'000; ///< [Pa]
 
 /// Adds a piece that has its id (IdSource, contourThrough). Error when the id is taken or the outline is empty.
 [[nodiscard]] Result<Pattern> addPiece(const Pattern& pattern, Piece piece);
-/// Adds a mirror image: its shape follows every edit of its source; fabric, interfacing, plies, layer and pressure are
-/// its own and begin as the source's. The line goes through two points of the source [m].
+/// Adds a mirror image: its shape follows every edit of its source; fabric, interfacing, plies, layer, pressure and
+/// whether it is frozen or strengthened are its own and begin as the source's. The line goes through two points of the
+/// source [m].
 [[nodiscard]] Result<Pattern> addMirrorPiece(const Pattern& pattern, const PieceId& source, Vec2 lineStart,
                                              Vec2 lineEnd, std::string name, IdSource& ids);
 /// Adds a copy that goes its own way, with ids of its own and without seams, pins and tacks. A copy of a mirror image
@@ -36,6 +37,10 @@ constexpr double mostPressure = 10'000; ///< [Pa]
 [[nodiscard]] Result<Pattern> setLayer(const Pattern& pattern, const PieceId& piece, int layer);
 /// Of the air behind the piece, towards its right side; −10 000 to 10 000 Pa.
 [[nodiscard]] Result<Pattern> setPressure(const Pattern& pattern, const PieceId& piece, double pressure);
+/// Its cloth stays where it lies, as if all of it were pinned, while the rest goes on.
+[[nodiscard]] Result<Pattern> setFrozen(const Pattern& pattern, const PieceId& piece, bool frozen);
+/// Stiffer to bend for the time being, so that it does not crumple while it is arranged and sewn.
+[[nodiscard]] Result<Pattern> setStrengthened(const Pattern& pattern, const PieceId& piece, bool strengthened);
 [[nodiscard]] Result<Pattern> setLineRule(const Pattern& pattern, const PieceId& piece, LineRule rule);
 [[nodiscard]] Result<Pattern> setRegionBorder(const Pattern& pattern, const PieceId& piece, RegionBorder border);
 

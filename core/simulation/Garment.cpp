@@ -51,7 +51,18 @@ Result<int> nodeAt(const Piece& piece, const meshing::PieceMesh& mesh, const pat
                 {.object = fmt::format("pin \"{}\"", pin.id.value)});
 }
 
+/// All particles of a frozen piece.
+void freeze(Garment& garment, const Pattern& pattern) {
+    for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
+        if (!pattern.pieces[i]->frozen) continue;
+        const auto first = garment.particles.particleOf.begin() + garment.particles.firstNode[i];
+        garment.model.pinned.insert(garment.model.pinned.end(), first,
+                                    first + std::ssize(garment.mesh->pieces[i].nodes));
+    }
+}
+
 Result<void> pinParticles(Garment& garment, const Pattern& pattern) {
+    freeze(garment, pattern);
     for (const pattern::Pin& pin : pattern.pins) {
         const auto at = std::ranges::find_if(pattern.pieces, [&](const auto& piece) { return piece->id == pin.piece; });
         if (at == pattern.pieces.end())

@@ -14,16 +14,17 @@ constexpr TackSettings tackSettings;
 /// A seam that is still open this long after its ramp ended is given up, so that the next order may begin [s].
 constexpr double patience = 2.0;
 
-/// Particles that become one take their common centre of mass and momentum.
+/// Particles that become one take their common centre of mass and momentum; where one is pinned, its place.
 dynamics::ParticleState merged(const dynamics::ParticleState& before, const Garment& from, const Garment& to) {
     constexpr double massOfSlaves = 1e-12; // a slave has no mass of its own and never merges; any weight will do
     const int count = to.particles.particleCount;
     dynamics::ParticleState after{std::vector<Vec3>(count), std::vector<Vec3>(count), before.time};
     std::vector<double> mass(count, 0);
-    std::vector<char> counted(from.particles.particleCount, 0);
+    std::vector<int> becomes(from.particles.particleCount, -1);
     for (std::size_t node = 0; node < from.particles.particleOf.size(); ++node) {
         const int old = from.particles.particleOf[node], now = to.particles.particleOf[node];
-        if (counted[old]++) continue;
+        if (becomes[old] >= 0) continue;
+        becomes[old] = now;
         const double m = std::max(from.model.mass[old], massOfSlaves);
         after.positions[now] += before.positions[old] * m;
         after.velocities[now] += before.velocities[old] * m;
@@ -32,6 +33,10 @@ dynamics::ParticleState merged(const dynamics::ParticleState& before, const Garm
     for (int particle = 0; particle < count; ++particle) {
         after.positions[particle] = after.positions[particle] / mass[particle];
         after.velocities[particle] = after.velocities[particle] / mass[particle];
+    }
+    for (const int pinned : from.model.pinned) {
+        after.positions[becomes[pinned]] = before.positions[pinned];
+        after.velocities[becomes[pinned]] = {};
     }
     return after;
 }

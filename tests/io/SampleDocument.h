@@ -18,6 +18,7 @@ inline document::Document everyField() {
     front.plies = 2;
     front.layer = 1;
     front.pressure = 12.5;
+    front.frozen = front.strengthened = true;
     front.spacing = 0.015;
     front.grain = std::numbers::pi / 6;
     front.seamAllowance = 0.012;

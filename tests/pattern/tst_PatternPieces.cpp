@@ -155,6 +155,7 @@ void tst_PatternPieces::aMirrorImageIsCongruentAndCounterClockwise() {
 void tst_PatternPieces::aMirrorImageBeginsAsItsSource() {
     Pattern pattern = *setLayer(tests::twoPanels(), back, 2);
     pattern = *setPressure(pattern, back, -20);
+    pattern = *setStrengthened(*setFrozen(pattern, back, true), back, true);
     pattern = *setPlies(pattern, back, 2);
     pattern = *setInterfacing(pattern, back, Interfacing{});
     IdSource ids{firstFreeNumber(pattern)};
@@ -163,6 +164,7 @@ void tst_PatternPieces::aMirrorImageBeginsAsItsSource() {
     QCOMPARE(other.layer, 2);
     QCOMPARE(other.pressure, -20.0);
     QCOMPARE(other.plies, 2);
+    QVERIFY(other.frozen && other.strengthened);
     QVERIFY(other.interfacing == source.interfacing && other.fabric == source.fabric);
 }
 

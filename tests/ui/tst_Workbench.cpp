@@ -44,6 +44,7 @@ private Q_SLOTS:
     void selectionForgetsWhatIsDeleted();
     void everyNumberOfASheetSetsWhatItShows();
     void theSheetOfAPieceProposesItsSpacing();
+    void theSheetOfAPieceFreezesAndStrengthensIt();
     void aMeshThatComesOutTakesItsComplaintBack();
     void aGarmentThatGoesOnTakesItsComplaintBack();
 };
@@ -320,6 +321,24 @@ void tst_Workbench::theSheetOfAPieceProposesItsSpacing() {
     const auto after = std::get<ActionRow>(row->content).act(document);
     QVERIFY(after);
     QCOMPARE(after->pattern.pieces[0]->spacing, material::proposedSpacing(*cloth));
+}
+
+void tst_Workbench::theSheetOfAPieceFreezesAndStrengthensIt() {
+    Fixture fixture;
+    const Workbench bench(fixture.parts());
+    const document::Document drawn = withRectangle(bench.document(), "Front", {0, 0}, 0.2, 0.3);
+    const auto switched = [&](const document::Document& document, const char* name, bool on) {
+        const PropertySheet sheet =
+            sheetOf({document, flattened(document.pattern), {document.pattern.pieces[0]->id}}, {});
+        const auto row = std::ranges::find(sheet.rows, QString::fromLatin1(name), &PropertyRow::name);
+        return *std::get<FlagRow>(row->content).set(document, on);
+    };
+    const document::Document frozen = switched(drawn, "frozen", true);
+    QVERIFY(frozen.pattern.pieces[0]->frozen && !frozen.pattern.pieces[0]->strengthened);
+    QVERIFY(switched(frozen, "frozen", false) == drawn);
+    const document::Document strengthened = switched(drawn, "strengthened", true);
+    QVERIFY(strengthened.pattern.pieces[0]->strengthened);
+    QVERIFY(switched(strengthened, "strengthened", false) == drawn);
 }
 
 void tst_Workbench::aMeshThatComesOutTakesItsComplaintBack() {

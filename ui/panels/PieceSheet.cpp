@@ -202,10 +202,15 @@ PropertySheet pieceSheet(const Document& document, const Piece& piece, const mes
         {QStringLiteral("pressure"), tr("Pressure"),
          NumberRow{Quantity::pressure, piece.pressure, -mostPressure, mostPressure, 1, setting(piece.id, setPressure)},
          tr("Of air behind the piece: above 0 it blows the cloth out to its right side.")});
+    sheet.rows.push_back({QStringLiteral("frozen"), tr("Frozen"), FlagRow{piece.frozen, setting(piece.id, setFrozen)},
+                          tr("The piece stays where it lies while the others go on.")});
+    sheet.rows.push_back({QStringLiteral("strengthened"), tr("Strengthened"),
+                          FlagRow{piece.strengthened, setting(piece.id, setStrengthened)},
+                          tr("Stiffer to bend, so that the piece does not crumple while it is arranged and sewn.")});
     sheet.rows.push_back({QStringLiteral("spacing"), tr("Particle distance"),
                           NumberRow{Quantity::length, piece.spacing, 0.001, 0.2, 1, setting(piece.id, setSpacing)},
                           tr("ε_m, the spacing of the main region: smaller is finer and slower.")});
-    if (const auto cloth = clothOf(document.pattern, piece)) {
+    if (const auto cloth = clothOf(document.pattern, piece); cloth && !piece.strengthened) {
         const double proposed = material::proposedSpacing(*cloth);
         sheet.rows.push_back(
             {QStringLiteral("proposedSpacing"), tr("Use %1 for this fabric").arg(textOf(Quantity::length, proposed)),
