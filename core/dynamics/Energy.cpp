@@ -23,6 +23,17 @@ Energies energies(const cloth::ClothModel& model, const ParticleState& state, co
     return e;
 }
 
+Energies energies(const cloth::ClothModel& model, const ParticleState& state, const Vec3& gravity,
+                  std::span<Stage* const> stages) {
+    Energies now = energies(model, state, gravity);
+    for (Stage* stage : stages) {
+        if (stage->isFromOutside()) continue;
+        stage->beginIteration(state.positions);
+        now.elastic += stage->energy(state.positions);
+    }
+    return now;
+}
+
 Vec3 momentum(const cloth::ClothModel& model, const ParticleState& state) {
     Vec3 sum;
     for (std::size_t p = 0; p < model.mass.size(); ++p) sum += model.mass[p] * state.velocities[p];

@@ -4,6 +4,8 @@
 #include "core/cloth/ClothModel.h"
 #include "core/dynamics/Stage.h"
 
+#include <span>
+
 namespace toile::dynamics {
 
 /// Energies of a state [J]; gravity's zero is at the origin.
@@ -16,6 +18,9 @@ struct Energies {
 [[nodiscard]] Energies energiesOfMotion(const cloth::ClothModel& model, const ParticleState& state,
                                         const Vec3& gravity);
 [[nodiscard]] Energies energies(const cloth::ClothModel& model, const ParticleState& state, const Vec3& gravity);
+/// Together with what stages that put no energy in hold now, as they stand in this step.
+[[nodiscard]] Energies energies(const cloth::ClothModel& model, const ParticleState& state, const Vec3& gravity,
+                                std::span<Stage* const> stages);
 
 /// Σ m v [kg·m/s].
 [[nodiscard]] Vec3 momentum(const cloth::ClothModel& model, const ParticleState& state);

@@ -9,18 +9,16 @@
 #include <numeric>
 
 namespace toile::dynamics {
-namespace {
 
-/// Less than to lift the cloth so far, or to make it so fast, is nothing.
-constexpr double leastHeight = 1e-3; // [m]
-constexpr double leastSpeed = 1e-3;  // [m/s]
-
-} // namespace
+double leastEnergy(const cloth::ClothModel& model, const Vec3& gravity) {
+    constexpr double leastHeight = 1e-3; // [m]
+    constexpr double leastSpeed = 1e-3;  // [m/s]
+    return std::accumulate(model.mass.begin(), model.mass.end(), 0.0) *
+           (length(gravity) * leastHeight + leastSpeed * leastSpeed);
+}
 
 EnergyWatch::EnergyWatch(const cloth::ClothModel& model, const Vec3& gravity, double allowed)
-    : model_(model), gravity_(gravity), allowed_(allowed),
-      scale_(std::accumulate(model.mass.begin(), model.mass.end(), 0.0) *
-             (length(gravity) * leastHeight + leastSpeed * leastSpeed)) {}
+    : model_(model), gravity_(gravity), allowed_(allowed), scale_(leastEnergy(model, gravity)) {}
 
 bool EnergyWatch::gains(const ParticleState& before, const ParticleState& after) {
     const Energies then = energiesOfMotion(model_, before, gravity_), now = energiesOfMotion(model_, after, gravity_);

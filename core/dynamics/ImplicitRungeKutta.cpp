@@ -55,18 +55,6 @@ std::vector<Vec3> combined(const std::vector<Vec3>& start, double h, std::span<c
     return sum;
 }
 
-/// Together with what the stages of the scene itself hold now, as they stand in this step.
-Energies energiesOf(const cloth::ClothModel& model, const ParticleState& state, const Vec3& gravity,
-                    std::span<Stage* const> stages) {
-    Energies now = energies(model, state, gravity);
-    for (Stage* stage : stages) {
-        if (stage->isFromOutside()) continue;
-        stage->beginIteration(state.positions);
-        now.elastic += stage->energy(state.positions);
-    }
-    return now;
-}
-
 /// Of the stages that put energy in [N].
 std::vector<Vec3> forcesFromOutside(const ParticleState& state, double h, std::span<Stage* const> stages) {
     std::vector<Vec3> forces;
@@ -109,7 +97,7 @@ Result<ImplicitRungeKutta::Step> ImplicitRungeKutta::once(const ButcherTableau& 
     if (tableau.guarded) {
         outside = forcesFromOutside(start, h, stages);
         for (Stage* stage : stages) stage->fixFriction(start.positions);
-        monitor.observe(energiesOf(model(), start, gravity, stages));
+        monitor.observe(energies(model(), start, gravity, stages));
     }
     for (int i = 0; i < tableau.stages; ++i) {
         const auto& row = tableau.a[i];
@@ -144,7 +132,7 @@ Result<ImplicitRungeKutta::Step> ImplicitRungeKutta::once(const ButcherTableau& 
     }
     if (tableau.guarded) {
         const double work = workBetween(start, outside, state, forcesFromOutside(state, h, stages));
-        step.gains = monitor.observe(energiesOf(model(), state, gravity, stages), work);
+        step.gains = monitor.observe(energies(model(), state, gravity, stages), work);
     }
     if (tableau.difference != decltype(tableau.difference){})
         step.difference = combined(std::vector<Vec3>(start.positions.size()), h, tableau.difference, velocities);

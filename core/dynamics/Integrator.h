@@ -20,7 +20,7 @@ struct StepReport {
     int newtonIterations = 0;   ///< of implicit methods
     int factorizations = 0;     ///< direct ones
     int gradientIterations = 0; ///< of conjugate gradients
-    int repeated = 0;           ///< parts that failed and were made again, smaller
+    int repeated = 0;           ///< parts that failed and were made again, smaller or by a safer method
     bool accurate = true;       ///< false: a part at the smallest step missed its tolerance and was taken as it was
     double residual = 0;        ///< largest unsolved force of a part over the mean particle weight [–]
 

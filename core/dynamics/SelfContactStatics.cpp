@@ -18,7 +18,7 @@ using collision::separationOf;
 /// Less is no force [N]: a thousandth of the weight of 10 mm² of light cloth.
 constexpr double leastForce = 1e-8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-12; // [m]
+constexpr double distanceRounding = 1e-12; // [m]
 
 /// The potential of statics over s = distance / target in (0, 1): −(1 − s)² ln s. Soft where layers begin to
 /// touch, without a jump in its curvature, and infinite where they meet. Ref: Li et al. 2020, §4.
@@ -113,7 +113,7 @@ void SelfContact::forPressed(std::span<const Vec3> positions, const Visit& visit
     const double moved = isComingKnown_ ? farthestMove(iterationStart_, positions) : infinity;
     if (moved <= staticMove_) {
         for (const Coming& coming : coming_)
-            if (coming.distance <= 2 * moved + rounding) see(coming.pair);
+            if (coming.distance <= 2 * moved + distanceRounding) see(coming.pair);
     } else {
         for (std::size_t i = 0; i < watches_.size(); ++i) see(i);
     }

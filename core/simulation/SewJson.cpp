@@ -156,7 +156,8 @@ Json toJson(const SewReport& report) {
                  item.set("parts", phase.steps.parts).set("newtonIterations", phase.steps.newtonIterations);
                  item.set("factorizations", phase.steps.factorizations)
                      .set("gradientIterations", phase.steps.gradientIterations);
-                 item.set("repeatedParts", phase.steps.repeated).set("unsolvedSteps", phase.unsolvedSteps);
+                 item.set("repeatedParts", phase.steps.repeated).set("redoneSteps", phase.redoneSteps);
+                 item.set("unsolvedSteps", phase.unsolvedSteps);
                  return item;
              }));
     json.set("stages", listOf(report.stages, [&](const StageShare& stage) {

@@ -161,9 +161,10 @@ void Simulation::rebuildPlan() {
     plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), tacks_, grips_, state_.positions, forced_, phase_);
     followBody();
     plannedDamping_ = damping();
+    safe_.reset();
     if (scene_.paper) {
         integrator_ = integratorOf(dynamics::Method::subcycledEuler);
-        return;
+        return planEnergyWatch();
     }
     xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model,
                                              dynamics::XpbdSettings{.damping = plannedDamping_, .speedLimit = 10});
@@ -282,7 +283,7 @@ void Simulation::hold(std::vector<Grip> grips) {
 
 Result<dynamics::StepReport> Simulation::moveCloth(double duration, std::stop_token stop) {
     correctByDueLevels();
-    if (integrator_) return integrator_->step(state_, duration, gravity(), plan_.stages(), stop);
+    if (integrator_) return moveByForces(duration, stop);
     const auto start = std::chrono::steady_clock::now();
     xpbd_->workWith(teamOfStep());
     auto done = motion_ ? moveBesideBody(duration, stop) : moveByPositions(duration, stop);
@@ -290,13 +291,18 @@ Result<dynamics::StepReport> Simulation::moveCloth(double duration, std::stop_to
     return done;
 }
 
-void Simulation::note(double duration, const dynamics::StepReport& step) {
+PhaseRun& Simulation::runOfStep() {
     const std::string_view method = integrator_ ? integrator_->name() : dynamics::nameOf(dynamics::Method::xpbd);
     if (phases_.empty() || phases_.back().phase != phase_ || phases_.back().method != method)
         phases_.push_back({.phase = phase_, .method = method});
-    phases_.back().seconds += duration;
-    phases_.back().steps += step;
-    phases_.back().unsolvedSteps += !step.accurate;
+    return phases_.back();
+}
+
+void Simulation::note(double duration, const dynamics::StepReport& step) {
+    PhaseRun& run = runOfStep();
+    run.seconds += duration;
+    run.steps += step;
+    run.unsolvedSteps += !step.accurate;
 }
 
 Result<void> Simulation::advance(std::stop_token stop) {

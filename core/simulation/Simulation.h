@@ -10,6 +10,7 @@
 #include "core/dynamics/EnergyWatch.h"
 #include "core/dynamics/Method.h"
 #include "core/dynamics/Statics.h"
+#include "core/dynamics/TotalEnergyWatch.h"
 #include "core/dynamics/Xpbd.h"
 #include "core/simulation/Checkpoint.h"
 #include "core/simulation/Frame.h"
@@ -45,6 +46,7 @@ struct PhaseRun {
     std::string_view method;                ///< as dynamics::nameOf
     double seconds = 0;                     ///< simulated
     dynamics::StepReport steps{.parts = 0}; ///< of all frame steps
+    int redoneSteps = 0;                    ///< frame steps by forces that gained energy, made again by backward Euler
     int unsolvedSteps = 0;                  ///< frame steps with a part that missed its tolerance
 };
 
@@ -174,6 +176,8 @@ private:
     [[nodiscard]] Result<dynamics::StepReport> moveBesideBody(double duration, std::stop_token stop);
     void planEnergyWatch();
     [[nodiscard]] Result<dynamics::StepReport> moveByPositions(double duration, std::stop_token stop);
+    [[nodiscard]] Result<dynamics::StepReport> moveByForces(double duration, std::stop_token stop);
+    [[nodiscard]] Result<dynamics::StepReport> moveSafely(double duration, int parts, std::stop_token stop);
     [[nodiscard]] bool isAsleep() const;
     void sleepFor(double duration);
     void planSubsteps();
@@ -187,6 +191,7 @@ private:
     [[nodiscard]] std::unique_ptr<dynamics::Integrator> integratorOf(dynamics::Method method) const;
     [[nodiscard]] double damping() const;     ///< of the phase [1/s]
     [[nodiscard]] double shakingTime() const; ///< how long the garment is shaken [s]
+    [[nodiscard]] PhaseRun& runOfStep();      ///< of this phase by this method
     void note(double duration, const dynamics::StepReport& step);
     [[nodiscard]] Phase duePhase() const;
     [[nodiscard]] Vec3 gravity() const { return phase_ == Phase::sewing ? Vec3{} : scene_.settings.gravity; }
@@ -221,8 +226,10 @@ private:
     std::string whyNoLevels_;                        ///< it has none; empty = it has, or none were asked for
     std::unique_ptr<dynamics::Xpbd> xpbd_;
     std::unique_ptr<dynamics::EnergyWatch> energyWatch_; ///< null where something drives the cloth, or other methods do
+    std::unique_ptr<dynamics::TotalEnergyWatch> totalEnergyWatch_; ///< the same of the other methods
     std::optional<dynamics::Method> drapingMethod_ = dynamics::Method::xpbd;
     std::unique_ptr<dynamics::Integrator> integrator_; ///< while another method than XPBD is at work
+    std::unique_ptr<dynamics::Integrator> safe_;       ///< makes its steps again that gained energy; null until then
     int calmingFrames_ = 0;                            ///< left
     std::vector<PhaseRun> phases_;
     std::vector<SeamState> seams_;

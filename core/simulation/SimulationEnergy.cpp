@@ -13,14 +13,19 @@ constexpr double beforeSleep = 1; ///< [s]
 
 void Simulation::planEnergyWatch() {
     energyWatch_.reset();
+    totalEnergyWatch_.reset();
     const auto leaveOut = [&](const char* why) { plan_.leaveOut("energy watch", why); };
     if (phase_ == Phase::sewing || !closingSeams().empty() || closingTacks() > 0) return leaveOut("seams do work");
-    if (drapingMethod_ != dynamics::Method::xpbd) return leaveOut("no position-based steps");
+    if (!drapingMethod_) return leaveOut("nothing moves");
     if (!grips_->empty()) return leaveOut("hands do work");
     if (motion_) return leaveOut("the body does work");
     if (std::ranges::any_of(plan_.stages(), [](const auto* stage) { return stage->isFromOutside(); }))
         return leaveOut("the air does work");
-    energyWatch_ = std::make_unique<dynamics::EnergyWatch>(garment_->model, gravity());
+    if (!scene_.paper && drapingMethod_ == dynamics::Method::trBdf2)
+        return leaveOut("its parts are as short as their error asks for");
+    const bool byPositions = !scene_.paper && drapingMethod_ == dynamics::Method::xpbd;
+    if (byPositions) energyWatch_ = std::make_unique<dynamics::EnergyWatch>(garment_->model, gravity());
+    else totalEnergyWatch_ = std::make_unique<dynamics::TotalEnergyWatch>(garment_->model, gravity());
 }
 
 /// A step that gained energy is made again in twice as many substeps and without coarse levels, and once more in twice
@@ -45,6 +50,39 @@ Result<dynamics::StepReport> Simulation::moveByPositions(double duration, std::s
     }
     if (!done) return tl::unexpected(done.error());
     return report;
+}
+
+/// A step that gained energy is made again by a method that damps what it cannot resolve, whole, in two parts and in
+/// four; then it is taken as it is.
+Result<dynamics::StepReport> Simulation::moveByForces(double duration, std::stop_token stop) {
+    constexpr int finest = 4; // parts
+    const auto gains = [&] { return totalEnergyWatch_ && totalEnergyWatch_->gains(state_); };
+    const dynamics::ParticleState before = state_;
+    if (totalEnergyWatch_) totalEnergyWatch_->begin(before, duration, plan_.stages());
+    auto done = integrator_->step(state_, duration, gravity(), plan_.stages(), stop);
+    if (!done || !gains()) return done;
+    ++runOfStep().redoneSteps;
+    for (int parts = 1; parts <= finest; parts *= 2) {
+        const int repeated = done->parts + done->repeated;
+        state_ = before;
+        done = moveSafely(duration, parts, stop);
+        if (!done) return done;
+        done->repeated += repeated;
+        if (!gains()) return done;
+    }
+    done->accurate = false;
+    return done;
+}
+
+Result<dynamics::StepReport> Simulation::moveSafely(double duration, int parts, std::stop_token stop) {
+    if (!safe_) safe_ = integratorOf(dynamics::Method::backwardEuler);
+    dynamics::StepReport sum{.parts = 0};
+    for (int part = 0; part < parts; ++part) {
+        const auto done = safe_->step(state_, duration / parts, gravity(), plan_.stages(), stop);
+        if (!done) return done;
+        sum += *done;
+    }
+    return sum;
 }
 
 /// What determines its steps is as it was, so it would go on lying there.

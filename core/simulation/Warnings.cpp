@@ -83,8 +83,26 @@ void warnOfUnsolvedSteps(Warnings& warnings, const Simulation& simulation) {
             {nameOf(phase.phase),
              fmt::format("{} frame steps by {} {} and were taken as they were.", phase.unsolvedSteps, phase.method,
                          byPositions ? "gained energy that nothing gave them"
-                                     : "have parts that did not reach their tolerance")});
+                                     : "have parts that did not reach their tolerance, or gained energy still,")});
     }
+}
+
+/// What to choose where a method had to be helped.
+std::string_view adviceInsteadOf(std::string_view method) {
+    if (method == dynamics::nameOf(dynamics::Method::trBdf2) ||
+        method == dynamics::nameOf(dynamics::Method::backwardEuler))
+        return "Shorter frame steps (--step), or xpbd, are what to use instead.";
+    return "For cloth so stiff use trbdf2 or xpbd instead, or shorter frame steps (--step).";
+}
+
+void warnOfRedoneSteps(Warnings& warnings, const Simulation& simulation) {
+    for (const PhaseRun& phase : simulation.phases())
+        if (phase.redoneSteps > 0)
+            warnings.push_back(
+                {nameOf(phase.phase),
+                 fmt::format("{} frame steps by {} gained energy that nothing gave them, and were made again by {}. {}",
+                             phase.redoneSteps, phase.method, dynamics::nameOf(dynamics::Method::backwardEuler),
+                             adviceInsteadOf(phase.method))});
 }
 
 } // namespace
@@ -96,6 +114,7 @@ std::vector<Warning> warningsOf(const Simulation& simulation, const ContactSumma
     warnOfCrossedLayers(warnings, simulation);
     warnOfHeldBackCloth(warnings, simulation);
     warnOfUnsolvedSteps(warnings, simulation);
+    warnOfRedoneSteps(warnings, simulation);
     for (const Warning& warning : simulation.garment().mesh->report.warnings) warnings.push_back(warning);
     warnOfClothInBody(warnings, contact, simulation.scene().settings.skinOffset);
     warnOfWrongOrder(warnings, contact);
