@@ -12,7 +12,8 @@ namespace toile::dynamics {
 TotalEnergyWatch::TotalEnergyWatch(const cloth::ClothModel& model, const Vec3& gravity, double allowed)
     : model_(model), gravity_(gravity), allowed_(allowed), scale_(leastEnergy(model, gravity)) {}
 
-/// What is gained is summed up step by step: what friction rests on changes between steps, and with it what stages store.
+/// What is gained is summed up step by step: what friction rests on changes between steps, and with it what stages
+/// store.
 void TotalEnergyWatch::begin(const ParticleState& before, double duration, std::span<Stage* const> stages) {
     for (Stage* stage : stages) {
         stage->beginStep(before, duration);

@@ -46,8 +46,8 @@ struct PhaseRun {
     std::string_view method;                ///< as dynamics::nameOf
     double seconds = 0;                     ///< simulated
     dynamics::StepReport steps{.parts = 0}; ///< of all frame steps
-    int redoneSteps = 0;                    ///< frame steps by forces that gained energy, made again by backward Euler
-    int unsolvedSteps = 0;                  ///< frame steps with a part that missed its tolerance
+    int redoneSteps = 0;   ///< frame steps that did not end in numbers, or by forces that gained energy, made again
+    int unsolvedSteps = 0; ///< frame steps with a part that missed its tolerance
 };
 
 struct DressingSettings {
@@ -176,8 +176,8 @@ private:
     [[nodiscard]] Result<dynamics::StepReport> moveBesideBody(double duration, std::stop_token stop);
     void planEnergyWatch();
     [[nodiscard]] Result<dynamics::StepReport> moveByPositions(double duration, std::stop_token stop);
+    [[nodiscard]] Result<dynamics::StepReport> moveInSubsteps(double duration, int substeps, std::stop_token stop);
     [[nodiscard]] Result<dynamics::StepReport> moveByForces(double duration, std::stop_token stop);
-    [[nodiscard]] Result<dynamics::StepReport> moveSafely(double duration, int parts, std::stop_token stop);
     [[nodiscard]] bool isAsleep() const;
     void sleepFor(double duration);
     void planSubsteps();
@@ -229,7 +229,7 @@ private:
     std::unique_ptr<dynamics::TotalEnergyWatch> totalEnergyWatch_; ///< the same of the other methods
     std::optional<dynamics::Method> drapingMethod_ = dynamics::Method::xpbd;
     std::unique_ptr<dynamics::Integrator> integrator_; ///< while another method than XPBD is at work
-    std::unique_ptr<dynamics::Integrator> safe_;       ///< makes its steps again that gained energy; null until then
+    std::unique_ptr<dynamics::Integrator> safe_;       ///< makes steps of it again; null before its first
     int calmingFrames_ = 0;                            ///< left
     std::vector<PhaseRun> phases_;
     std::vector<SeamState> seams_;

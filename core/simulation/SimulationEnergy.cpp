@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/FinerSubsteps.h"
+#include "core/dynamics/GuardedStep.h"
 #include "core/simulation/Simulation.h"
 
 #include <algorithm>
@@ -33,56 +35,37 @@ void Simulation::planEnergyWatch() {
 Result<dynamics::StepReport> Simulation::moveByPositions(double duration, std::stop_token stop) {
     constexpr int finest = 4; // times the substeps
     const dynamics::ParticleState before = energyWatch_ ? state_ : dynamics::ParticleState{};
-    dynamics::StepReport report{.parts = substeps_};
-    const auto move = [&] { return xpbd_->step(state_, duration, report.parts, gravity(), plan_.stages(), stop); };
-    auto done = move();
-    report.accurate = !done || !energyWatch_ || !energyWatch_->gains(before, state_);
-    if (!report.accurate) {
-        dynamics::CoarseLevels* const levels = xpbd_->correctBy(nullptr);
-        while (done && !report.accurate && report.parts < finest * substeps_) {
-            state_ = before;
-            report.repeated += report.parts;
-            report.parts *= 2;
-            done = move();
-            report.accurate = !energyWatch_->gains(before, state_);
-        }
-        xpbd_->correctBy(levels);
+    auto report = moveInSubsteps(duration, substeps_, stop);
+    if (!report) return report;
+    report->accurate = !energyWatch_ || !energyWatch_->gains(before, state_);
+    if (report->accurate) return report;
+    dynamics::CoarseLevels* const levels = xpbd_->correctBy(nullptr);
+    while (report && !report->accurate && report->parts < finest * substeps_) {
+        const int repeated = report->repeated + report->parts;
+        state_ = before;
+        report = moveInSubsteps(duration, 2 * report->parts, stop);
+        if (!report) break;
+        report->repeated += repeated;
+        report->accurate = !energyWatch_->gains(before, state_);
     }
-    if (!done) return tl::unexpected(done.error());
+    xpbd_->correctBy(levels);
     return report;
 }
 
-/// A step that gained energy is made again by a method that damps what it cannot resolve, whole, in two parts and in
-/// four; then it is taken as it is.
-Result<dynamics::StepReport> Simulation::moveByForces(double duration, std::stop_token stop) {
-    constexpr int finest = 4; // parts
-    const auto gains = [&] { return totalEnergyWatch_ && totalEnergyWatch_->gains(state_); };
-    const dynamics::ParticleState before = state_;
-    if (totalEnergyWatch_) totalEnergyWatch_->begin(before, duration, plan_.stages());
-    auto done = integrator_->step(state_, duration, gravity(), plan_.stages(), stop);
-    if (!done || !gains()) return done;
-    ++runOfStep().redoneSteps;
-    for (int parts = 1; parts <= finest; parts *= 2) {
-        const int repeated = done->parts + done->repeated;
-        state_ = before;
-        done = moveSafely(duration, parts, stop);
-        if (!done) return done;
-        done->repeated += repeated;
-        if (!gains()) return done;
-    }
-    done->accurate = false;
-    return done;
+/// Counts a step that did not end in numbers until its substeps were finer.
+Result<dynamics::StepReport> Simulation::moveInSubsteps(double duration, int substeps, std::stop_token stop) {
+    auto report = dynamics::stepOrFiner(*xpbd_, state_, duration, substeps, gravity(), plan_.stages(), stop);
+    if (report && report->repeated > 0) ++runOfStep().redoneSteps;
+    return report;
 }
 
-Result<dynamics::StepReport> Simulation::moveSafely(double duration, int parts, std::stop_token stop) {
+Result<dynamics::StepReport> Simulation::moveByForces(double duration, std::stop_token stop) {
     if (!safe_) safe_ = integratorOf(dynamics::Method::backwardEuler);
-    dynamics::StepReport sum{.parts = 0};
-    for (int part = 0; part < parts; ++part) {
-        const auto done = safe_->step(state_, duration / parts, gravity(), plan_.stages(), stop);
-        if (!done) return done;
-        sum += *done;
-    }
-    return sum;
+    const auto done = dynamics::guardedStep({*integrator_, *safe_, totalEnergyWatch_.get()}, state_, duration,
+                                            gravity(), plan_.stages(), stop);
+    if (!done) return tl::unexpected(done.error());
+    runOfStep().redoneSteps += done->redone;
+    return done->step;
 }
 
 /// What determines its steps is as it was, so it would go on lying there.

@@ -59,15 +59,17 @@ Result<dynamics::StepReport> Simulation::moveBesideBody(double duration, std::st
     constexpr double leastKept = 0.001; // cloth that is to lie on the skin itself does not ask for endless substeps [m]
     const double least = way / (std::max(scene_.settings.skinOffset, leastKept) / 4);
     const int substeps = static_cast<int>(std::ceil(std::max<double>(substeps_, least) / parts));
+    dynamics::StepReport report{.parts = 0};
     for (int part = 0; part < parts; ++part) {
         if (way > 0) {
             rebuildPlan();
             correctByDueLevels();
         }
-        if (auto done = xpbd_->step(state_, duration / parts, substeps, gravity(), plan_.stages(), stop); !done)
-            return tl::unexpected(done.error());
+        const auto done = moveInSubsteps(duration / parts, substeps, stop);
+        if (!done) return done;
+        report += *done;
     }
-    return dynamics::StepReport{.parts = parts * substeps};
+    return report;
 }
 
 } // namespace toile::simulation

@@ -89,6 +89,8 @@ void warnOfUnsolvedSteps(Warnings& warnings, const Simulation& simulation) {
 
 /// What to choose where a method had to be helped.
 std::string_view adviceInsteadOf(std::string_view method) {
+    if (method == dynamics::nameOf(dynamics::Method::xpbd))
+        return "More substeps (--substeps), shorter frame steps (--step) or trbdf2 are what to use instead.";
     if (method == dynamics::nameOf(dynamics::Method::trBdf2) ||
         method == dynamics::nameOf(dynamics::Method::backwardEuler))
         return "Shorter frame steps (--step), or xpbd, are what to use instead.";
@@ -96,13 +98,16 @@ std::string_view adviceInsteadOf(std::string_view method) {
 }
 
 void warnOfRedoneSteps(Warnings& warnings, const Simulation& simulation) {
-    for (const PhaseRun& phase : simulation.phases())
-        if (phase.redoneSteps > 0)
-            warnings.push_back(
-                {nameOf(phase.phase),
-                 fmt::format("{} frame steps by {} gained energy that nothing gave them, and were made again by {}. {}",
-                             phase.redoneSteps, phase.method, dynamics::nameOf(dynamics::Method::backwardEuler),
-                             adviceInsteadOf(phase.method))});
+    for (const PhaseRun& phase : simulation.phases()) {
+        if (phase.redoneSteps == 0) continue;
+        const bool byPositions = phase.method == dynamics::nameOf(dynamics::Method::xpbd);
+        warnings.push_back(
+            {nameOf(phase.phase),
+             fmt::format("{} frame steps by {} {} and were made again {}. {}", phase.redoneSteps, phase.method,
+                         byPositions ? "did not end in numbers"
+                                     : "gained energy that nothing gave them, or did not end in numbers,",
+                         byPositions ? "in finer substeps" : "by backward-euler", adviceInsteadOf(phase.method))});
+    }
 }
 
 } // namespace

@@ -26,8 +26,7 @@ Scene heldPoplin() {
     piece.placement->transform.axisZ = {0, 1, 0};
     scene.pattern.pieces.push_back(Shared<pattern::Piece>(std::move(piece)));
     for (const char* vertex : {"v2", "v3"})
-        scene.pattern.pins.push_back(
-            {pattern::PinId(vertex), pattern::PieceId("sheet"), pattern::VertexId(vertex)});
+        scene.pattern.pins.push_back({pattern::PinId(vertex), pattern::PieceId("sheet"), pattern::VertexId(vertex)});
     return scene;
 }
 

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/GuardedStep.h"
+#include "core/dynamics/Method.h"
+
+#include <QTest>
+#include <limits>
+
+using namespace toile;
+using dynamics::Method;
+using dynamics::ParticleState;
+
+namespace {
+
+/// A force that is no number for so many steps, and none after that.
+class Fragile final : public dynamics::Stage {
+public:
+    explicit Fragile(int broken) : broken_(broken) {}
+
+    [[nodiscard]] std::string_view name() const override { return "fragile"; }
+    [[nodiscard]] std::size_t bytes() const override { return 0; }
+    void beginStep(const ParticleState&, double) override { --broken_; }
+    void project(dynamics::Substep&) override {}
+    void beginIteration(std::span<const Vec3>) override {}
+    [[nodiscard]] double energy(std::span<const Vec3>) const override { return 0; }
+    void addForces(std::span<const Vec3>, std::span<Vec3> forces) const override {
+        if (broken_ >= 0) forces[0].x = std::numeric_limits<double>::quiet_NaN();
+    }
+    void addHessian(std::span<const Vec3>, dynamics::HessianSink&) const override {}
+
+private:
+    int broken_;
+};
+
+constexpr double duration = 1.0 / 60; // [s]
+const Vec3 gravity{0, -9.81, 0};
+
+/// A particle that falls.
+struct Drop {
+    cloth::ClothModel model{.mass = {0.01}};
+    ParticleState state{.positions = {{0, 1, 0}}, .velocities = {{0, 0, 0}}};
+
+    Result<dynamics::GuardedReport> stepWhile(int broken, Method method) {
+        const auto integrator = dynamics::makeIntegrator(method, model, {.damping = 0});
+        const auto safe = dynamics::makeIntegrator(Method::backwardEuler, model, {.damping = 0});
+        Fragile fragile(broken);
+        dynamics::Stage* const stages[] = {&fragile};
+        return dynamics::guardedStep({*integrator, *safe, nullptr}, state, duration, gravity, stages);
+    }
+};
+
+void explicitMethods() {
+    QTest::addColumn<Method>("method");
+    for (const Method method : {Method::symplecticEuler, Method::rk4})
+        QTest::newRow(std::string(nameOf(method)).c_str()) << method;
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(toile::dynamics::Method)
+
+class tst_GuardedStep : public QObject {
+    Q_OBJECT
+private slots:
+    void whatEndsInNumbersIsLeftAlone_data() { explicitMethods(); }
+    void whatEndsInNumbersIsLeftAlone();
+    void whatDoesNotIsMadeAgain_data() { explicitMethods(); }
+    void whatDoesNotIsMadeAgain();
+    void whatNeverDoesIsAnError();
+};
+
+void tst_GuardedStep::whatEndsInNumbersIsLeftAlone() {
+    QFETCH(Method, method);
+    Drop drop;
+    const auto report = drop.stepWhile(0, method);
+    QVERIFY(report);
+    QVERIFY(!report->redone);
+    QCOMPARE(report->step.repeated, 0);
+}
+
+void tst_GuardedStep::whatDoesNotIsMadeAgain() {
+    QFETCH(Method, method);
+    Drop drop;
+    const auto report = drop.stepWhile(1, method);
+    QVERIFY2(report, report ? "" : report.error().text.c_str());
+    QVERIFY(report->redone);
+    QVERIFY(report->step.accurate);
+    QVERIFY(report->step.repeated >= 1);
+    QCOMPARE(drop.state.time, duration);
+    QVERIFY(std::abs(drop.state.velocities[0].y + 9.81 * duration) < 1e-4); // as Newton solves it
+}
+
+void tst_GuardedStep::whatNeverDoesIsAnError() {
+    Drop drop;
+    const auto report = drop.stepWhile(1000, Method::symplecticEuler);
+    QVERIFY(!report);
+    QVERIFY(report.error().code == ErrorCode::notConverged);
+    QCOMPARE(drop.state.positions[0].y, 1.0);
+    QCOMPARE(drop.state.time, 0.0);
+}
+
+QTEST_APPLESS_MAIN(tst_GuardedStep)
+#include "tst_GuardedStep.moc"
