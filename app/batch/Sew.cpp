@@ -18,6 +18,7 @@
 #include "core/simulation/Wearing.h"
 
 #include <algorithm>
+#include <chrono>
 #include <fmt/format.h>
 #include <numbers>
 
@@ -158,7 +159,7 @@ Result<Outcome> sewn(const SewOptions& options, const OpenedScene& opened, const
     auto report = simulation::sew(simulation, settings, stop, bar.progress(), observer);
     if (!report) return tl::unexpected(report.error());
     Outcome outcome{std::move(*report), std::nullopt};
-    if (!*motion) return outcome;
+    if (!*motion || outcome.sewn.ranOutOfTime()) return outcome;
     auto wearing = simulation::wear(simulation, *motion, settings, stop, bar.progress(), observer);
     if (!wearing) return tl::unexpected(wearing.error());
     outcome.wearing = std::move(*wearing);
@@ -186,6 +187,13 @@ Result<Outcome> sewnAndKept(const SewOptions& options, const OpenedScene& opened
     return outcome;
 }
 
+/// Reading and meshing count as well.
+std::optional<std::chrono::steady_clock::time_point> deadlineAfter(const std::optional<double>& seconds) {
+    if (!seconds) return std::nullopt;
+    return std::chrono::steady_clock::now() +
+           std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(*seconds));
+}
+
 Result<void> keepStanding(const std::string& checkpoint, simulation::Simulation& simulation) {
     return checkpoint.empty() ? Result<void>() : io::writeCheckpoint(simulation.checkpoint(), checkpoint);
 }
@@ -202,6 +210,7 @@ const std::vector<std::string>& sewMethods() {
 }
 
 int sew(const SewOptions& options, std::stop_token stop) {
+    const auto deadline = deadlineAfter(options.timeLimit);
     const auto refuse = [](const Error& error) {
         printError(error);
         return static_cast<int>(inputWrong);
@@ -212,7 +221,8 @@ int sew(const SewOptions& options, std::stop_token stop) {
     auto opened = openScene(document->document, options.file, options.avatar);
     if (!opened) return refuse(opened.error());
     applyOptions(*opened, options);
-    simulation::SewSettings settings{.seconds = options.seconds, .limit = options.limit, .hold = options.hold};
+    simulation::SewSettings settings{
+        .seconds = options.seconds, .limit = options.limit, .hold = options.hold, .deadline = deadline};
     auto begin = begun(options, *opened, settings, stop);
     if (!begin) return refuse(begin.error());
     auto& [simulation, coarse] = *begin;

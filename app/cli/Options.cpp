@@ -94,6 +94,10 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     command->add_option("--limit", options->limit, "give up waiting for rest after so many simulated seconds [s]")
         ->check(numberFrom(0.1, 3600.0));
     command
+        ->add_option("--time-limit", options->timeLimit,
+                     "end after so many seconds of the clock on the wall, wherever the run is then [s]")
+        ->check(numberFrom(0.001, 1e6));
+    command
         ->add_option("--hold", options->hold,
                      "a garment without a neck goes on for so long after rest, to see whether it slides [s]")
         ->check(numberFrom(0.0, 3600.0))

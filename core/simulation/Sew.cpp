@@ -2,6 +2,7 @@
 #include "core/simulation/Sew.h"
 
 #include "core/base/CpuTime.h"
+#include "core/base/TimeLimit.h"
 #include "core/dynamics/Energy.h"
 #include "core/simulation/Inspect.h"
 #include "core/simulation/Warnings.h"
@@ -16,6 +17,7 @@ namespace toile::simulation {
 namespace {
 
 constexpr double restBeforeFinish = 0.5; // [s]
+constexpr std::string_view timeLimitReached = "time limit reached";
 
 /// Linux counts in kilobytes.
 std::size_t peakBytes() {
@@ -143,6 +145,26 @@ void tellOfSleep(SewReport& result) {
             {"frame steps", fmt::format("of {:.1f} s: nothing had moved for a second", result.sleptSeconds)});
 }
 
+void warnOfTimeLimit(SewReport& result) {
+    result.warnings.push_back({"time limit",
+                               "It was reached before the run had come to its end: what is reported is how "
+                               "the cloth lay then. Allow more time, choose a larger spacing, or keep a "
+                               "checkpoint and go on from it."});
+}
+
+/// All that moves the cloth.
+Result<void> runAndFinish(SewReport& result, Simulation& simulation, const SewSettings& settings, const Watch& watch) {
+    auto ending = run(simulation, settings, watch);
+    if (!ending) return tl::unexpected(ending.error());
+    result.ending = std::move(*ending);
+    if (auto held = hold(result, simulation, settings, watch); !held) return held;
+    if (!settings.finish || settings.seconds) return {};
+    const double finishStart = processSeconds();
+    if (auto finished = finish(result, simulation, settings, watch); !finished) return finished;
+    if (result.finishDisplacementMaximum) result.finishSeconds = processSeconds() - finishStart;
+    return {};
+}
+
 /// What only a look at the whole result can tell.
 void judgeWorn(SewReport& result, const Simulation& simulation, const SewSettings& settings) {
     const Scene& scene = simulation.scene();
@@ -167,8 +189,12 @@ bool SewReport::allTacked() const {
     return std::ranges::all_of(tacks, &TackResult::closed);
 }
 
+bool SewReport::ranOutOfTime() const {
+    return ending == timeLimitReached;
+}
+
 bool SewReport::reachedItsGoal(const SewSettings& settings) const {
-    return allClosed() && allTacked() && contact.outsideBody && (settings.seconds || atRest);
+    return allClosed() && allTacked() && contact.outsideBody && (atRest || (settings.seconds && !ranOutOfTime()));
 }
 
 Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::stop_token stop,
@@ -176,17 +202,11 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     const auto wallStart = std::chrono::steady_clock::now();
     const double cpuStart = processSeconds();
     SewReport result;
-    const Watch watch{stop, progress, observer};
-    auto ending = run(simulation, settings, watch);
-    if (!ending) return tl::unexpected(ending.error());
-    result.ending = std::move(*ending);
-    if (const auto held = hold(result, simulation, settings, watch); !held) return tl::unexpected(held.error());
-
-    if (settings.finish && !settings.seconds) {
-        const double finishStart = processSeconds();
-        if (const auto finished = finish(result, simulation, settings, watch); !finished)
-            return tl::unexpected(finished.error());
-        if (result.finishDisplacementMaximum) result.finishSeconds = processSeconds() - finishStart;
+    const TimeLimit limit(settings.deadline, stop);
+    if (const auto done = runAndFinish(result, simulation, settings, {limit.token(), progress, observer}); !done) {
+        if (!limit.ended(done.error())) return tl::unexpected(done.error());
+        result.ending = timeLimitReached;
+        result.atRest = false;
     }
     countElements(result, simulation.garment().model);
     result.paper = simulation.garment().paper;
@@ -198,6 +218,7 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     result.phases = simulation.phases();
     result.contact = contactOf(simulation);
     result.warnings = warningsOf(simulation, result.contact);
+    if (result.ranOutOfTime()) warnOfTimeLimit(result);
     judgeWorn(result, simulation, settings);
     result.strain = strainOf(simulation);
     result.curvature = curvatureOf(simulation);

@@ -5,6 +5,7 @@
 #include "core/simulation/Simulation.h"
 #include "core/simulation/Worn.h"
 
+#include <chrono>
 #include <functional>
 
 namespace toile::simulation {
@@ -14,7 +15,9 @@ struct SewSettings {
     double limit = 20;             ///< simulated time after which rest is no longer waited for [s]
     double hold = 10;              ///< a garment without a neck opening goes on for so long after rest: a band that
                                    ///< slides may do so slowly [s]
-    bool finish = true;            ///< statics after rest
+    /// When the run ends wherever it is, by the clock on the wall; absent = never.
+    std::optional<std::chrono::steady_clock::time_point> deadline = {};
+    bool finish = true; ///< statics after rest
     dynamics::StaticSettings statics = finishing;
     WornSettings worn;
 };
@@ -83,10 +86,11 @@ struct SewReport {
     std::vector<StageShare> stages;
     std::vector<LeftOut> leftOut;
     std::vector<Warning> warnings;
-    std::string ending; ///< "at rest", "time is up" or "limit reached"
+    std::string ending; ///< "at rest", "time is up", "limit reached" or "time limit reached"
 
     [[nodiscard]] bool allClosed() const; ///< seams
     [[nodiscard]] bool allTacked() const;
+    [[nodiscard]] bool ranOutOfTime() const; ///< ended by SewSettings::deadline
     /// Seams and tacks closed, at rest and outside the body.
     [[nodiscard]] bool reachedItsGoal(const SewSettings& settings) const;
 };

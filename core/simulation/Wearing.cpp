@@ -2,6 +2,7 @@
 #include "core/simulation/Wearing.h"
 
 #include "core/base/CpuTime.h"
+#include "core/base/TimeLimit.h"
 #include "core/simulation/Inspect.h"
 
 #include <algorithm>
@@ -38,11 +39,15 @@ Result<WearingReport> wear(Simulation& simulation, std::shared_ptr<const geometr
     WearingReport result;
     result.contact = contactOf(simulation);
     if (auto moved = simulation.moveBody(motion); !moved) return tl::unexpected(moved.error());
-    while (simulation.bodyMoves()) {
+    const TimeLimit limit(settings.deadline, stop);
+    while (simulation.bodyMoves() && !limit.isOver()) {
         if (stop.stop_requested()) return fail(ErrorCode::cancelled, "The run was stopped.");
         const double elapsed = simulation.state().time - begin;
         result.bodySpeed = std::max(result.bodySpeed, motion->farthest(elapsed, elapsed + frameStep) / frameStep);
-        if (auto stepped = simulation.advance(stop); !stepped) return tl::unexpected(stepped.error());
+        if (auto stepped = simulation.advance(limit.token()); !stepped) {
+            if (limit.ended(stepped.error())) break;
+            return tl::unexpected(stepped.error());
+        }
         keepWorst(result.contact, contactOf(simulation));
         ++result.steps;
         report(progress, 0.5 * elapsed / motion->duration(), "the body moves");

@@ -24,6 +24,8 @@ private slots:
     void quietSaysNothing();
     void aSeamHeldOpenIsAGoalMissed();
     void aLimitThatIsTooShortIsAGoalMissed();
+    void aTimeLimitEndsARunWhereverItIs_data();
+    void aTimeLimitEndsARunWhereverItIs();
     void aStartInTheBodyIsWarnedOfRefusedOrArranged();
     void everyMethodDrapesWhatXpbdHasSewn_data();
     void everyMethodDrapesWhatXpbdHasSewn();
@@ -225,6 +227,27 @@ void tst_SewCommand::aLimitThatIsTooShortIsAGoalMissed() {
     QCOMPARE(*report().find("atRest")->asBool(), false);
 }
 
+void tst_SewCommand::aTimeLimitEndsARunWhereverItIs_data() {
+    QTest::addColumn<QStringList>("options");
+    QTest::newRow("until rest") << QStringList{};
+    QTest::newRow("for so long") << QStringList{"--seconds", "600"};
+    QTest::newRow("refined") << QStringList{"--refine", "--spacing", "5"};
+    QTest::newRow("adaptive parts") << QStringList{"--method", "trbdf2"};
+}
+
+void tst_SewCommand::aTimeLimitEndsARunWhereverItIs() {
+    QFETCH(QStringList, options);
+    const Finished finished = run(QStringList{"sew", sample("two-squares.toile"), "--time-limit", "0.001", "--report",
+                                              in("sew.json"), "--checkpoint", in("point")} +
+                                  options);
+    QCOMPARE(finished.status, 3);
+    QVERIFY2(finished.out.contains("time limit reached"), qPrintable(finished.out));
+    QVERIFY2(finished.err.contains("time limit: It was reached before"), qPrintable(finished.err));
+    QCOMPARE(*report().find("ending")->asString(), std::string("time limit reached"));
+    QCOMPARE(*report().find("atRest")->asBool(), false);
+    QVERIFY(contentOf(in("point")).contains("toile-checkpoint"));
+}
+
 void tst_SewCommand::aStartInTheBodyIsWarnedOfRefusedOrArranged() {
     const QString document = squaresWith(box(1.0, 0.1)); // the squares hang in its middle, in the plane z = 0
     const Finished warned = run({"sew", document, "--seconds", "0.02", "--quiet"});
@@ -307,7 +330,7 @@ void tst_SewCommand::wrongUsage_data() {
     QTest::newRow("no substep") << QStringList{"--substeps", "0"};
     QTest::newRow("no thread") << QStringList{"--threads", "0"};
     QTest::newRow("a step of nothing") << QStringList{"--step", "0"};
-    for (const char* option : {"--seconds", "--limit", "--hold", "--spacing", "--step", "--lift-arms"})
+    for (const char* option : {"--seconds", "--limit", "--time-limit", "--hold", "--spacing", "--step", "--lift-arms"})
         for (const char* value : {"nan", "-nan", "inf"})
             QTest::addRow("%s %s", option, value) << QStringList{option, value};
     for (const char* option : {"--avatar", "--out", "--report", "--frames", "--checkpoint", "--resume", "--picture"})
