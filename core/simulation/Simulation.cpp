@@ -166,8 +166,8 @@ void Simulation::rebuildPlan() {
         integrator_ = integratorOf(dynamics::Method::subcycledEuler);
         return planEnergyWatch();
     }
-    xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model,
-                                             dynamics::XpbdSettings{.damping = plannedDamping_, .speedLimit = 10});
+    xpbd_ = std::make_unique<dynamics::Xpbd>(
+        garment_->model, dynamics::XpbdSettings{.damping = plannedDamping_, .speedLimit = speedLimit});
     xpbd_->workWith(teamOfStep());
     planSubsteps();
     integrator_.reset();
@@ -323,6 +323,8 @@ Result<void> Simulation::advance(std::stop_token stop) {
     ++steps_;
     const Speeds speeds = speedsOf(garment_->model.mass, before.positions, state_.positions, duration);
     largestSpeed_ = speeds.largest;
+    constexpr double all = 0.999; // but rounding
+    if (!integrator_ && largestSpeed_ > all * speedLimit) ++runOfStep().limitedSteps;
     const auto merged = mergeReadySeams();
     if (!merged) return tl::unexpected(merged.error());
     const bool closed = closeReadyTacks();

@@ -48,7 +48,11 @@ struct PhaseRun {
     dynamics::StepReport steps{.parts = 0}; ///< of all frame steps
     int redoneSteps = 0;   ///< frame steps that did not end in numbers, or by forces that gained energy, made again
     int unsolvedSteps = 0; ///< frame steps with a part that missed its tolerance
+    int limitedSteps = 0;  ///< frame steps by positions in which cloth was as fast as speedLimit lets it be
 };
+
+/// No particle is faster by positions [m/s].
+constexpr double speedLimit = 10;
 
 struct DressingSettings {
     double sewingDamping = 60;   ///< mass-proportional, while seams close: cloth that is let go by a bent tube would

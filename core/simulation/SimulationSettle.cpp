@@ -23,7 +23,7 @@ Result<void> Simulation::drawTaut(std::stop_token stop) {
         dynamics::substepsFor(duration, dynamics::springsOnLongestLine(garment_->model), loadOf(scene_));
     const bool isSoft = coarseLevelsFor(substeps) > 0 || plan_.find("self-contact") != nullptr;
     if (drapingMethod_ != dynamics::Method::xpbd || scene_.paper || !isSoft) return {};
-    dynamics::Xpbd xpbd(garment_->model, {.damping = tautDamping, .speedLimit = 10});
+    dynamics::Xpbd xpbd(garment_->model, {.damping = tautDamping, .speedLimit = speedLimit});
     xpbd.workWith(teamWorthWaking());
     for (int frame = 0; frame < tautFrames; ++frame)
         if (auto done = xpbd.step(state_, duration, tautSubsteps * substeps, gravity(), plan_.stages(), stop); !done)

@@ -30,9 +30,8 @@ void warnOfOpenSeams(Warnings& warnings, const Simulation& simulation) {
 void warnOfOpenTacks(Warnings& warnings, const Simulation& simulation) {
     for (std::size_t i = 0; i < simulation.tacks().size(); ++i)
         if (const double gap = simulation.gapOfTack(i); gap > TackSettings{}.closedGap)
-            warnings.push_back(
-                {"tack " + labelAmong(simulation.scene().pattern.tacks, i),
-                 fmt::format("The tack is not closed; its gap is {:.1f} mm.", 1000 * gap)});
+            warnings.push_back({"tack " + labelAmong(simulation.scene().pattern.tacks, i),
+                                fmt::format("The tack is not closed; its gap is {:.1f} mm.", 1000 * gap)});
 }
 
 /// One warning for each place, and no more than a reader can look at.
@@ -110,6 +109,15 @@ void warnOfRedoneSteps(Warnings& warnings, const Simulation& simulation) {
     }
 }
 
+void warnOfLimitedSteps(Warnings& warnings, const Simulation& simulation) {
+    for (const PhaseRun& phase : simulation.phases())
+        if (phase.limitedSteps > 0)
+            warnings.push_back({nameOf(phase.phase),
+                                fmt::format("In {} frame steps cloth was as fast as {} lets it be, {:.0f} m/s; by "
+                                            "trbdf2 it would have been faster.",
+                                            phase.limitedSteps, phase.method, speedLimit)});
+}
+
 } // namespace
 
 std::vector<Warning> warningsOf(const Simulation& simulation, const ContactSummary& contact) {
@@ -120,6 +128,7 @@ std::vector<Warning> warningsOf(const Simulation& simulation, const ContactSumma
     warnOfHeldBackCloth(warnings, simulation);
     warnOfUnsolvedSteps(warnings, simulation);
     warnOfRedoneSteps(warnings, simulation);
+    warnOfLimitedSteps(warnings, simulation);
     for (const Warning& warning : simulation.garment().mesh->report.warnings) warnings.push_back(warning);
     warnOfClothInBody(warnings, contact, simulation.scene().settings.skinOffset);
     warnOfWrongOrder(warnings, contact);

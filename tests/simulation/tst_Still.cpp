@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Warnings.h"
 #include "tests/simulation/Sewn.h"
 #include "tests/simulation/SmallScenes.h"
 
@@ -53,6 +54,7 @@ private slots:
     void whatDrivesClothIsNamedWhereEnergyIsNotWatched();
     void clothThatIsPushedOutOfABodyIsToldOf();
     void clothThatFallsIsNot();
+    void clothThatFallsAsFastAsItMayIsToldOf();
 };
 
 void tst_Still::whatLiesStillSleeps() {
@@ -133,6 +135,22 @@ void tst_Still::clothThatIsPushedOutOfABodyIsToldOf() {
     QVERIFY(std::ranges::any_of(report.warnings, [](const Warning& warning) {
         return warning.text.find("gained energy that nothing gave them") != std::string::npos;
     }));
+}
+
+/// 5 m in a second are 10 m/s.
+void tst_Still::clothThatFallsAsFastAsItMayIsToldOf() {
+    Scene scene = sheetOnTable(9);
+    scene.settings.damping = 0;
+    Simulation simulation = simulationOf(scene);
+    const auto said = [&] {
+        for (const Warning& warning : warningsOf(simulation, {}))
+            if (warning.text.find("10 m/s") != std::string::npos) return true;
+        return false;
+    };
+    advance(simulation, 58);
+    QVERIFY(!said());
+    advance(simulation, 8);
+    QVERIFY(said());
 }
 
 void tst_Still::clothThatFallsIsNot() {
