@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
+#include <iterator>
 #include <numeric>
 #include <sys/resource.h>
 
@@ -217,7 +218,8 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     listFolds(result, simulation);
     result.phases = simulation.phases();
     result.contact = contactOf(simulation);
-    result.warnings = warningsOf(simulation, result.contact);
+    std::ranges::copy(simulation.garment().mesh->report.warnings, std::back_inserter(result.warnings));
+    std::ranges::copy(warningsOf(simulation, result.contact), std::back_inserter(result.warnings));
     if (result.ranOutOfTime()) warnOfTimeLimit(result);
     judgeWorn(result, simulation, settings);
     result.strain = strainOf(simulation);

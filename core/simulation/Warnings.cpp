@@ -129,7 +129,6 @@ std::vector<Warning> warningsOf(const Simulation& simulation, const ContactSumma
     warnOfUnsolvedSteps(warnings, simulation);
     warnOfRedoneSteps(warnings, simulation);
     warnOfLimitedSteps(warnings, simulation);
-    for (const Warning& warning : simulation.garment().mesh->report.warnings) warnings.push_back(warning);
     warnOfClothInBody(warnings, contact, simulation.scene().settings.skinOffset);
     warnOfWrongOrder(warnings, contact);
     return warnings;
