@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/cloth/ClothModel.h"
+#include "core/dynamics/EnergyTurnover.h"
 #include "core/dynamics/Stage.h"
 
-#include <optional>
-
 namespace toile::dynamics {
-
-/// To lift all cloth by a millimetre and make it a millimetre a second fast [J]: less is nothing.
-[[nodiscard]] double leastEnergy(const cloth::ClothModel& model, const Vec3& gravity);
 
 /// Sees position-based steps gain energy that nothing gave them: no hand, no seam, no air, no body that moves.
 ///
@@ -27,8 +22,7 @@ private:
     const cloth::ClothModel& model_;
     Vec3 gravity_;
     double allowed_;
-    double scale_;                      ///< energy turned over so far [J]
-    std::optional<double> firstHeight_; ///< gravity's energy where the watch began [J]
+    EnergyTurnover turnover_;
 };
 
 } // namespace toile::dynamics

@@ -37,7 +37,7 @@ Result<GuardedReport> guardedStep(const Guarded& by, ParticleState& state, doubl
     for (int parts = 1; isBad && parts <= finest; parts *= 2) {
         repeated += done ? done->parts + done->repeated : 1;
         state = before;
-        done = inParts(parts, by.safe, state, duration, gravity, stages, stop);
+        done = inParts(parts, by.safe(), state, duration, gravity, stages, stop);
         isBad = mayBeBetter(done);
     }
     if (!done) return tl::unexpected(done.error());

@@ -4,12 +4,15 @@
 #include "core/dynamics/Integrator.h"
 #include "core/dynamics/TotalEnergyWatch.h"
 
+#include <functional>
+
 namespace toile::dynamics {
 
 /// What a step is made with.
 struct Guarded {
     Integrator& method;
-    Integrator& safe;        ///< one that damps what it cannot resolve, for steps that the method cannot make
+    std::function<Integrator&()>
+        safe;                ///< damps what it cannot resolve; asked for at a step that the method cannot make
     TotalEnergyWatch* watch; ///< null: something drives the cloth
 };
 

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/TotalEnergyWatch.h"
 
-#include "core/dynamics/Energy.h"
-#include "core/dynamics/EnergyWatch.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace toile::dynamics {
 
 TotalEnergyWatch::TotalEnergyWatch(const cloth::ClothModel& model, const Vec3& gravity, double allowed)
-    : model_(model), gravity_(gravity), allowed_(allowed), scale_(leastEnergy(model, gravity)) {}
+    : model_(model), gravity_(gravity), allowed_(allowed), turnover_(model, gravity) {}
 
 /// What is gained is summed up step by step: what friction rests on changes between steps, and with it what stages
 /// store.
@@ -20,12 +16,11 @@ void TotalEnergyWatch::begin(const ParticleState& before, double duration, std::
         stage->fixFriction(before.positions);
     }
     const Energies then = energies(model_, before, gravity_, stages);
-    if (!firstHeight_) firstHeight_ = then.gravity;
     gained_ = std::clamp(gained_ + rise_, 0.0, limit_);
     rise_ = 0;
     start_ = then.total();
-    scale_ = std::max({scale_, then.kinetic, std::abs(then.gravity - *firstHeight_)});
-    limit_ = allowed_ * std::max(scale_, then.elastic);
+    turnover_.observe(then);
+    limit_ = allowed_ * std::max(turnover_.joules(), then.elastic);
 }
 
 /// What stages hold at the end does not count: friction has taken its normal forces anew within the step, and so stores

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/cloth/ClothModel.h"
+#include "core/dynamics/EnergyTurnover.h"
 #include "core/dynamics/Stage.h"
 
-#include <optional>
 #include <span>
 
 namespace toile::dynamics {
@@ -27,12 +26,11 @@ private:
     const cloth::ClothModel& model_;
     Vec3 gravity_;
     double allowed_;
-    double scale_;                      ///< energy turned over so far [J]
-    std::optional<double> firstHeight_; ///< gravity's energy where the watch began [J]
-    double limit_ = 0;                  ///< above the lowest so far [J]
-    double gained_ = 0;                 ///< the same, before the step [J]
-    double rise_ = 0;                   ///< in the step [J]
-    double start_ = 0;                  ///< all energy before the step [J]
+    EnergyTurnover turnover_;
+    double limit_ = 0;  ///< above the lowest so far [J]
+    double gained_ = 0; ///< the same, before the step [J]
+    double rise_ = 0;   ///< in the step [J]
+    double start_ = 0;  ///< all energy before the step [J]
 };
 
 } // namespace toile::dynamics

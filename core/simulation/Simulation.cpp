@@ -164,7 +164,7 @@ void Simulation::rebuildPlan() {
     safe_.reset();
     if (scene_.paper) {
         integrator_ = integratorOf(dynamics::Method::subcycledEuler);
-        return planEnergyWatch();
+        return;
     }
     xpbd_ = std::make_unique<dynamics::Xpbd>(
         garment_->model, dynamics::XpbdSettings{.damping = plannedDamping_, .speedLimit = speedLimit});

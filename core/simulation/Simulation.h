@@ -233,7 +233,7 @@ private:
     std::unique_ptr<dynamics::TotalEnergyWatch> totalEnergyWatch_; ///< the same of the other methods
     std::optional<dynamics::Method> drapingMethod_ = dynamics::Method::xpbd;
     std::unique_ptr<dynamics::Integrator> integrator_; ///< while another method than XPBD is at work
-    std::unique_ptr<dynamics::Integrator> safe_;       ///< makes steps of it again; null before its first
+    std::unique_ptr<dynamics::Integrator> safe_;       ///< makes steps of it again; null before the first
     int calmingFrames_ = 0;                            ///< left
     std::vector<PhaseRun> phases_;
     std::vector<SeamState> seams_;

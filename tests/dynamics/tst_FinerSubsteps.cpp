@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "IdleStage.h"
 #include "core/dynamics/FinerSubsteps.h"
 
 #include <QTest>
@@ -11,20 +12,13 @@ using dynamics::ParticleState;
 namespace {
 
 /// A force that is no number as long as substeps are longer than it can bear.
-class Fragile final : public dynamics::Stage {
+class Fragile final : public dynamics::IdleStage {
 public:
     explicit Fragile(double longest) : longest_(longest) {}
 
-    [[nodiscard]] std::string_view name() const override { return "fragile"; }
-    [[nodiscard]] std::size_t bytes() const override { return 0; }
-    void beginStep(const ParticleState&, double) override {}
     void project(dynamics::Substep& substep) override {
         if (substep.duration > longest_) substep.positions[0].x = std::numeric_limits<double>::quiet_NaN();
     }
-    void beginIteration(std::span<const Vec3>) override {}
-    [[nodiscard]] double energy(std::span<const Vec3>) const override { return 0; }
-    void addForces(std::span<const Vec3>, std::span<Vec3>) const override {}
-    void addHessian(std::span<const Vec3>, dynamics::HessianSink&) const override {}
 
 private:
     double longest_; ///< substep [s]

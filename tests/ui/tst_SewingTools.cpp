@@ -63,6 +63,15 @@ double levelThatMeetsTheBottomOfSideOne(const Hand& hand) {
     return a.front().y < a.back().y ? b.front().y : b.back().y;
 }
 
+/// None if the sheet of the seam has no such row.
+std::optional<decltype(PropertyRow::content)> rowOfSeam(const document::Document& document, const pattern::SeamId& seam,
+                                                        const char* name) {
+    const FlatPattern flat = flattened(document.pattern);
+    const PropertySheet sheet = sheetOf({document, flat, {seam}}, {});
+    const auto row = std::ranges::find(sheet.rows, QString::fromLatin1(name), &PropertyRow::name);
+    return row == sheet.rows.end() ? std::nullopt : std::optional(row->content);
+}
+
 } // namespace
 
 void tst_SewingTools::twoClicksSewTwoEdges() {
@@ -281,12 +290,7 @@ void tst_SewingTools::theSheetGathersTheLongerSide() {
     hand.click(tool, {0.1, -0.1});
     hand.click(tool, {0.2, -0.1});
     const auto seam = [&]() -> const pattern::Seam& { return hand.document.pattern.seams.at(0); };
-    const auto rowOf = [&](const char* name) -> std::optional<decltype(PropertyRow::content)> {
-        const FlatPattern flat = flattened(hand.document.pattern);
-        const PropertySheet sheet = sheetOf({hand.document, flat, {seam().id}}, {});
-        const auto row = std::ranges::find(sheet.rows, QString::fromLatin1(name), &PropertyRow::name);
-        return row == sheet.rows.end() ? std::nullopt : std::optional(row->content);
-    };
+    const auto rowOf = [&](const char* name) { return rowOfSeam(hand.document, seam().id, name); };
     QVERIFY(rowOf("ease") && !rowOf("gatherRatio"));
     hand.document = *std::get<FlagRow>(*rowOf("gathered")).set(hand.document, true);
     QVERIFY(std::abs(*seam().sections.at(0).gatherRatio - 1.5) < 1e-12);
@@ -306,12 +310,7 @@ void tst_SewingTools::theSheetSewsAnElasticIn() {
     hand.click(tool, {0.1, -0.1});
     hand.click(tool, {0.2, -0.1});
     const auto seam = [&]() -> const pattern::Seam& { return hand.document.pattern.seams.at(0); };
-    const auto rowOf = [&](const char* name) -> std::optional<decltype(PropertyRow::content)> {
-        const FlatPattern flat = flattened(hand.document.pattern);
-        const PropertySheet sheet = sheetOf({hand.document, flat, {seam().id}}, {});
-        const auto row = std::ranges::find(sheet.rows, QString::fromLatin1(name), &PropertyRow::name);
-        return row == sheet.rows.end() ? std::nullopt : std::optional(row->content);
-    };
+    const auto rowOf = [&](const char* name) { return rowOfSeam(hand.document, seam().id, name); };
     QVERIFY(rowOf("elastic") && !rowOf("elasticRatio"));
     hand.document = *std::get<FlagRow>(*rowOf("elastic")).set(hand.document, true);
     QVERIFY(seam().elastic == pattern::Elastic{});
