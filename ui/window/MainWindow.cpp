@@ -65,6 +65,7 @@ MainWindow::MainWindow(Workbench& workbench, WindowParts parts, QWidget* parent)
 
 MainWindow::~MainWindow() {
     disconnect(&workbench_, nullptr, this, nullptr); // a field that loses the focus below still changes the document
+    disconnect(accuracy_, nullptr, this, nullptr);   // a dock that is hidden below still tells of it
 }
 
 void MainWindow::makeViews() {
