@@ -42,7 +42,7 @@ public:
     Worker() : thread_([this](std::stop_token stop) { run(stop); }) {}
     ~Worker() {
         thread_.request_stop();
-        wake();
+        cutOff();
     }
 
     void order(Order order) {
@@ -55,7 +55,7 @@ public:
     }
     void pause() {
         stopPlaying();
-        wake();
+        cutOff();
     }
     void requestStep() {
         stopPlaying();
@@ -78,7 +78,7 @@ public:
     void requestReset() {
         stopPlaying();
         reset_ = true;
-        wake();
+        cutOff();
     }
     void askForCheckpoint() {
         asked_ = true;
@@ -87,7 +87,7 @@ public:
     void resume(Checkpoint checkpoint) {
         stopPlaying();
         resumed_.put(std::move(checkpoint));
-        wake();
+        cutOff();
     }
     [[nodiscard]] std::optional<Result<Checkpoint>> takeCheckpoint() { return checkpoints_.take(); }
     [[nodiscard]] bool isPlaying() const { return playing_; }
@@ -99,8 +99,14 @@ private:
     void wake() {
         ++signal_;
         signal_.notify_one();
-        const std::lock_guard lock(finishing_);
+        const std::lock_guard lock(stopping_);
         stopFinish_.request_stop();
+    }
+    /// For what would throw a frame step away, or need not wait for it.
+    void cutOff() {
+        wake();
+        const std::lock_guard lock(stopping_);
+        stopStep_.request_stop();
     }
 
     // -- shared
@@ -118,8 +124,9 @@ private:
     std::atomic<int> steps_{0};
     std::atomic<std::uint64_t> signal_{1};    ///< counts orders
     std::atomic<std::uint64_t> idleSince_{0}; ///< the order after which there was nothing left to do
-    std::mutex finishing_;                    ///< held for a moment, to look at the next
+    std::mutex stopping_;                     ///< held for a moment, to look at the next two
     std::stop_source stopFinish_;             ///< of the statics under way
+    std::stop_source stopStep_;               ///< of the frame step under way
 
     // -- the worker's
     void run(std::stop_token stop) {
@@ -137,10 +144,9 @@ private:
             if (auto motion = motions_.take()) take(std::move(*motion));
             if (pushed_.exchange(false) && stands()) playUntil_ = simulation_->state().time + atLeast;
             if (mayStep) {
-                --steps_;
-                advance(stop);
+                if (advance(seen)) --steps_;
             } else if (mayPlay && playing_ && stands() && !rests()) {
-                advance(stop);
+                advance(seen);
             } else if (mayPlay && playing_ && mayFinish()) {
                 finish(seen);
             } else {
@@ -214,12 +220,17 @@ private:
         publish({});
     }
 
-    void advance(std::stop_token stop) {
-        if (!stands()) return;
+    /// A frame step, unless something is ordered after `seen`; it may be cut off. Whether it is done with.
+    bool advance(std::uint64_t seen) {
+        if (!stands()) return true;
+        const std::stop_token stop = fresh(stopStep_);
+        if (signal_ != seen) return false;
         const auto advanced = simulation_->advance(stop);
         finish_ = Finish::none;
-        if (advanced) publish({});
+        const bool isCutOff = !advanced && advanced.error().code == ErrorCode::cancelled;
+        if (advanced || isCutOff) publish({});
         else stopWith(toString(advanced.error()));
+        return true;
     }
 
     /// The paper has no statics.
@@ -229,7 +240,7 @@ private:
 
     /// The garment at rest goes on to its equilibrium, unless something is ordered after `seen`.
     void finish(std::uint64_t seen) {
-        const std::stop_token stop = freshStop();
+        const std::stop_token stop = fresh(stopFinish_);
         if (signal_ != seen) return;
         finish_ = Finish::underWay;
         publish({});
@@ -250,10 +261,10 @@ private:
         publish({});
     }
 
-    [[nodiscard]] std::stop_token freshStop() {
-        const std::lock_guard lock(finishing_);
-        stopFinish_ = {};
-        return stopFinish_.get_token();
+    [[nodiscard]] std::stop_token fresh(std::stop_source& source) {
+        const std::lock_guard lock(stopping_);
+        source = {};
+        return source.get_token();
     }
 
     /// Pictures between where the garment rested and where it lies now.

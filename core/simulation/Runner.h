@@ -26,9 +26,9 @@ public:
     /// Goes on until paused. A garment that comes to rest stays playing, but costs nothing until the next scene; told
     /// to play again it goes on for half a second at least.
     void play();
-    void pause();
+    void pause(); ///< a frame step under way is dropped, however long it would take
     void step();  ///< one frame step, then paused
-    void reset(); ///< back to the placement, paused; nothing is held any more
+    void reset(); ///< back to the placement, paused; nothing is held any more; a frame step under way is dropped
     /// From now on a garment that comes to rest while it plays goes on to its equilibrium by statics, on the same
     /// thread; frames show the way there. Every order stops it, and the garment lies where it rested. At first: no.
     void finishAtRest(bool wanted);
@@ -41,7 +41,7 @@ public:
     void askForCheckpoint();
     /// Refused where there is no garment that could stand anywhere, and where the body has moved.
     [[nodiscard]] std::optional<Result<Checkpoint>> takeCheckpoint();
-    /// Goes on from there, paused. What belongs to another scene is refused by a frame's message; the garment stays.
+    /// Goes on from there, paused; a frame step under way is dropped. What belongs to another scene is refused by a frame's message; the garment stays.
     void resume(Checkpoint checkpoint);
     [[nodiscard]] bool isPlaying() const;
     /// Something ordered is still to be done, or time is running: frames will come. Otherwise the thread sleeps.

@@ -316,6 +316,7 @@ Result<void> Simulation::advance(std::stop_token stop) {
     const auto stepped = moveCloth(duration, stop);
     if (!stepped) {
         state_ = before;
+        rebuildPlan(); // stages remember of the way that was not gone
         return tl::unexpected(stepped.error());
     }
     note(duration, *stepped);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/simulation/Runner.h"
+#include "core/simulation/SceneCheck.h"
 
 #include <QTest>
 #include <limits>
@@ -20,6 +21,8 @@ private slots:
     void aSceneHandedOverBeforePlayIsTheOneThatPlays();
     void aStepIsOneFrame();
     void resetReturnsToThePlacement();
+    void aFrameStepIsNotWaitedFor_data();
+    void aFrameStepIsNotWaitedFor();
     void aWrongSceneGivesAMessage();
     void settingsThatNoSimulationCanRunWithGiveAMessage();
     void aGarmentGoesOnAfterASceneThatCannotBeBuilt();
@@ -111,6 +114,35 @@ void tst_Runner::resetReturnsToThePlacement() {
     runner.reset();
     const auto frame = waitForFrame(runner, [](const Frame& f) { return f.time == 0; });
     QVERIFY(frame);
+    QVERIFY(!runner.isPlaying());
+}
+
+void tst_Runner::aFrameStepIsNotWaitedFor_data() {
+    QTest::addColumn<std::function<void(Runner&)>>("order");
+    QTest::newRow("pause") << std::function<void(Runner&)>([](Runner& runner) { runner.pause(); });
+    QTest::newRow("reset") << std::function<void(Runner&)>([](Runner& runner) { runner.reset(); });
+    QTest::newRow("a checkpoint") << std::function<void(Runner&)>([](Runner& runner) { runner.resume({}); });
+}
+
+/// The step takes seconds; what it has done until then is dropped.
+void tst_Runner::aFrameStepIsNotWaitedFor() {
+    QFETCH(std::function<void(Runner&)>, order);
+    Scene scene = twoSquares(0.005);
+    scene.pattern.seams.clear(); // sewing takes few substeps
+    scene.settings.substeps = mostSubsteps;
+    Runner runner;
+    runner.setScene(scene, 1);
+    const auto placed = waitForFrame(runner, [](const Frame& frame) { return !frame.positions.empty(); });
+    QVERIFY(placed);
+    runner.play();
+    QTest::qSleep(100);
+    QVERIFY(!runner.takeFrame()); // it is under way
+    order(runner);
+    QTRY_VERIFY_WITH_TIMEOUT(!runner.isBusy(), 60000);
+    const auto stopped = runner.takeFrame();
+    QVERIFY(stopped);
+    QCOMPARE(stopped->time, 0.0);
+    QVERIFY(stopped->positions == placed->positions);
     QVERIFY(!runner.isPlaying());
 }
 
