@@ -296,6 +296,7 @@ simulation::SceneSettings sceneOf(JsonNode& node) {
         scene.gravity = {g[0].number(), g[1].number(), g[2].number()};
     if (const JsonNode air = node["air"]; air.exists()) scene.air = airOf(air);
     scene.damping = node["damping"].number(scene.damping);
+    scene.strainDamping = node["strainDamping"].number(scene.strainDamping);
     scene.skinOffset = lengthOf(node["skinOffset"], scene.skinOffset);
     scene.bodyFriction = node["bodyFriction"].number(scene.bodyFriction);
     scene.seamTime = node["seamTime"].number(scene.seamTime);

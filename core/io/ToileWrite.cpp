@@ -271,7 +271,9 @@ Json sceneJson(const simulation::SceneSettings& scene, const Json& unknown) {
         air.set("wind", Json(Json::Array{wind.x, wind.y, wind.z})).set("drag", scene.air->drag);
         json.set("air", std::move(air));
     }
-    json.set("damping", scene.damping).set("skinOffset", millimetres(scene.skinOffset));
+    json.set("damping", scene.damping);
+    if (scene.strainDamping != 0) json.set("strainDamping", scene.strainDamping);
+    json.set("skinOffset", millimetres(scene.skinOffset));
     json.set("bodyFriction", scene.bodyFriction).set("seamTime", scene.seamTime);
     json.set("frameStep", scene.frameStep).set("substeps", scene.substeps).set("selfContact", scene.selfContact);
     addUnknown(json, unknown);

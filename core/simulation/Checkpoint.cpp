@@ -89,6 +89,7 @@ std::string fingerprintOf(const Scene& scene, const Garment& garment) {
         numbers.add(s.air->drag);
     }
     numbers.add(s.gravity);
+    if (s.strainDamping != 0) numbers.add(s.strainDamping);
     numbers.add(s.damping, s.skinOffset, s.bodyFriction, s.seamTime, s.frameStep, s.substeps, s.selfContact,
                 scene.paper);
     return sha256(std::as_bytes(std::span(numbers.all)));

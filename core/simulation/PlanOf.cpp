@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/PlanOf.h"
 
+#include "core/dynamics/StrainDamping.h"
 #include "core/dynamics/StrainLimit.h"
 #include "core/simulation/AirOf.h"
 #include "core/simulation/BodyContactOf.h"
@@ -68,6 +69,12 @@ StepPlan planOf(const Scene& scene, const Garment& garment, const collision::Bod
     else if (scene.paper) plan.leaveOut("pressure", "the paper knows gravity alone");
     else if (isSewing) plan.leaveOut("pressure", whileSewing);
     else plan.add(pressureBehind(scene, garment, positions));
+
+    const double damping = scene.settings.strainDamping;
+    if (isForced("strain damping") || (damping > 0 && !scene.paper && !isSewing))
+        plan.add(std::make_unique<dynamics::StrainDamping>(garment.model, damping, positions));
+    else if (damping == 0) plan.leaveOut("strain damping", "the scene has none");
+    else plan.leaveOut("strain damping", scene.paper ? "the paper's springs have none" : whileSewing);
 
     const SeamClosingSettings closing =
         scene.paper ? paperSewing : SeamClosingSettings{.duration = scene.settings.seamTime};

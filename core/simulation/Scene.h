@@ -20,6 +20,7 @@ struct Air {
 struct SceneSettings {
     Vec3 gravity{0, -9.81, 0};   ///< [m/s²]
     double damping = 0.5;        ///< mass-proportional [1/s]
+    double strainDamping = 0;    ///< stiffness-proportional, β of dynamics::StrainDamping [s]
     double skinOffset = 0.003;   ///< distance of the cloth's underside to the body [m]
     double bodyFriction = 0.3;   ///< μ of the body; a pair has √(μ₁·μ₂) [–]
     double seamTime = 0.6;       ///< in which seams are drawn together [s]

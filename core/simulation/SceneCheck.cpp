@@ -9,6 +9,7 @@ namespace toile::simulation {
 namespace {
 
 constexpr double mostDrag = 10;       // [–]
+constexpr double mostStrainDamping = 1; // [s]
 constexpr double strongestWind = 100; // [m/s]
 
 } // namespace
@@ -20,7 +21,8 @@ std::vector<pattern::Problem> checkScene(const SceneSettings& scene) {
         bool zeroAllowed;
     };
     const Field fields[] = {
-        {"scene.damping", scene.damping, true},           {"scene.skinOffset", scene.skinOffset, true},
+        {"scene.damping", scene.damping, true},           {"scene.strainDamping", scene.strainDamping, true},
+        {"scene.skinOffset", scene.skinOffset, true},
         {"scene.bodyFriction", scene.bodyFriction, true}, {"scene.seamTime", scene.seamTime, false},
         {"scene.frameStep", scene.frameStep, false},
     };
@@ -40,6 +42,9 @@ std::vector<pattern::Problem> checkScene(const SceneSettings& scene) {
         if (!std::isfinite(f.value) || f.value < 0 || (f.value == 0 && !f.zeroAllowed))
             add(f.path,
                 fmt::format("Expected a number {} 0, but found {}.", f.zeroAllowed ? "of at least" : "above", f.value));
+    if (scene.strainDamping > mostStrainDamping)
+        add("scene.strainDamping",
+            fmt::format("Expected at most {} s, but found {}.", mostStrainDamping, scene.strainDamping));
     if (scene.frameStep > 0 && !(scene.frameStep >= shortestFrameStep && scene.frameStep <= longestFrameStep))
         add("scene.frameStep", fmt::format("Expected between {} and {} s, but found {}.", shortestFrameStep,
                                            longestFrameStep, scene.frameStep));

@@ -104,7 +104,7 @@ void tst_LeftOut::aLonePieceHasNoStageAndNoByteOfOne() {
 
 void tst_LeftOut::whatIsAddedBringsItsOneStage_data() {
     QTest::addColumn<QString>("stage");
-    for (const char* stage : {"seams", "body contact", "self-contact", "wind", "pressure"})
+    for (const char* stage : {"seams", "body contact", "self-contact", "wind", "pressure", "strain damping"})
         QTest::newRow(stage) << stage;
 }
 
@@ -120,6 +120,7 @@ void tst_LeftOut::whatIsAddedBringsItsOneStage() {
     if (stage == "body contact") with.body = Shared<body::Body>(box());
     if (stage == "self-contact") with.settings.selfContact = true;
     if (stage == "wind") with.settings.air = Air{};
+    if (stage == "strain damping") with.settings.strainDamping = 0.01;
     if (stage == "pressure") with = withPressure(with);
 
     const StepPlan::StageCost cost = only(with);

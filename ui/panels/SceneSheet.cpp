@@ -75,6 +75,9 @@ PropertySheet sceneSheet(const Document& document) {
     addAirRows(sheet, scene.air);
     number("damping", tr("Damping"), Quantity::damping, &SceneSettings::damping, 0, 100, 0.1,
            tr("Mass-proportional: how soon the cloth comes to rest."));
+    number("strainDamping", tr("Strain damping"), Quantity::shortTime, &SceneSettings::strainDamping, 0, 1, 1,
+           tr("Stiffness-proportional: the time in which stretch and bends that are let go fall to a third. "
+              "Folds swing less; cloth that falls is not slowed down."));
     number("skinOffset", tr("Skin offset"), Quantity::length, &SceneSettings::skinOffset, 0, 0.05, 0.5,
            tr("Distance of the cloth's underside to the body; lower it only at the end."));
     number("bodyFriction", tr("Body friction"), Quantity::factor, &SceneSettings::bodyFriction, 0, 2, 0.05);

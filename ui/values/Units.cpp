@@ -31,6 +31,7 @@ UnitFormat formatOf(Quantity quantity) {
     case Quantity::acceleration: return {1, 0, 2, QStringLiteral(" m/s²")};
     case Quantity::damping: return {1, 0, 2, QStringLiteral(" 1/s")};
     case Quantity::time: return {1, 0, 2, QStringLiteral(" s")};
+    case Quantity::shortTime: return {1000, 0, 1, QStringLiteral(" ms")};
     case Quantity::speed: return {1000, 0, 0, QStringLiteral(" mm/s")};
     case Quantity::wind: return {1, 0, 2, QStringLiteral(" m/s")};
     case Quantity::pressure: return {1, 0, 1, QStringLiteral(" Pa")};

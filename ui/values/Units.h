@@ -18,6 +18,7 @@ enum class Quantity {
     acceleration, ///< m/s²
     damping,      ///< 1/s
     time,         ///< s
+    shortTime,    ///< ms
     speed,        ///< m/s, shown in mm/s
     wind,         ///< m/s
     pressure,     ///< Pa

@@ -56,10 +56,21 @@ Feature damping(double spacing) {
              {Role::inUse, "0.5 1/s", damped(0.5), 0}}};
 }
 
+Feature strainDamping(double spacing) {
+    const Scene sheet = heldSheet(spacing);
+    Scene damped = sheet;
+    damped.settings.strainDamping = 0.005;
+    return {"strain damping",
+            "strain damping",
+            {{Role::absent, "none", sheet},
+             {Role::forced, "none, built all the same", sheet, 0, {"strain damping"}},
+             {Role::inUse, "5 ms", damped, 0}}};
+}
+
 } // namespace
 
 std::vector<Feature> integratorFeatures(double spacing) {
-    return {damping(spacing), coarseLevels()};
+    return {damping(spacing), strainDamping(spacing), coarseLevels()};
 }
 
 } // namespace toile::study::lean

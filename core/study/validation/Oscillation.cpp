@@ -2,6 +2,8 @@
 #include "core/cloth/Forces.h"
 #include "core/dynamics/Energy.h"
 #include "core/dynamics/ImplicitRungeKutta.h"
+#include "core/dynamics/Method.h"
+#include "core/dynamics/StrainDamping.h"
 #include "core/dynamics/SymplecticEuler.h"
 #include "core/dynamics/Xpbd.h"
 #include "core/study/validation/Cases.h"
@@ -155,6 +157,40 @@ void v1ImplicitEulerDampsByItsFormula(Findings& found) {
                  1e-6);
 }
 
+/// The spring has a damper c beside it: c = βk. A² = x² + ((v + ζωx)/ω_d)² falls with e^(−2ζωt), at any time.
+void v1OscillatorWithADamper(Findings& found) {
+    constexpr double k = 100, m = 0.01, ratio = 0.2; // ζ
+    const double free = std::sqrt(k / m), damped = free * std::sqrt(1 - ratio * ratio);
+    const auto amplitude = [&](const ParticleState& state) {
+        const double x = state.positions[1].x - 1, v = state.velocities[1].x;
+        return std::hypot(x, (v + ratio * free * x) / damped);
+    };
+    struct Row {
+        dynamics::Method method;
+        double step, tolerance;
+    };
+    for (const Row& row : {Row{dynamics::Method::rk4, 1e-4, 1e-4}, Row{dynamics::Method::trBdf2, 5e-4, 1e-3},
+                           Row{dynamics::Method::xpbd, 1e-6, 1e-3}}) {
+        Oscillator o = oscillator(1e-3);
+        dynamics::StrainDamping damper(o.model, 2 * ratio / free, o.state.positions);
+        dynamics::Stage* const stages[] = {&damper};
+        const auto integrator = dynamics::makeIntegrator(
+            row.method, o.model, {.damping = 0, .substeps = 1, .stiffnessCap = 1e9, .tolerance = 1e-12});
+        const double before = amplitude(o.state);
+        const double period = periodOf(
+            found,
+            [&] {
+                found.ran(integrator->step(o.state, row.step, {}, stages));
+                return o.state.positions[1].x - 1;
+            },
+            row.step, 3);
+        const std::string by = fmt::format("oscillator with ζ = {}, {} at {:g} s: ", ratio, nameOf(row.method), row.step);
+        found.within(by + "frequency", damped / (2 * pi), 1 / period, row.tolerance);
+        found.within(by + "decay [1/s]", ratio * free, std::log(before / amplitude(o.state)) / o.state.time,
+                     row.tolerance);
+    }
+}
+
 void v8PendulumPeriods(Findings& found) {
     struct Row {
         double degrees, ratio;
@@ -302,6 +338,7 @@ std::vector<Case> oscillationCases() {
     return {
         {"V1", theme, "oscillator: frequency", v1OscillatorFrequency},
         {"V1", theme, "oscillator: numerical damping", v1ImplicitEulerDampsByItsFormula},
+        {"V1", theme, "oscillator: damper", v1OscillatorWithADamper},
         {"V8", theme, "pendulum", v8PendulumPeriods},
         {"V15", theme, "stretched membrane", v15StretchedMembrane},
         {"V16", theme, "vibrating strip", v16StripVibration},
