@@ -25,7 +25,7 @@ int avatar(const AvatarOptions& options) {
         printError(out.error());
         return inputWrong;
     }
-    const auto mannequin = body::makeMannequin(options.measurements);
+    const auto mannequin = body::makeMannequin(options.measurements, options.edge);
     if (!mannequin) {
         Error error = mannequin.error();
         if (!error.place.path.empty()) error.place.path = optionOf(error.place.path);

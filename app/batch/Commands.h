@@ -63,6 +63,7 @@ struct SewOptions {
 
 struct AvatarOptions {
     body::Measurements measurements;
+    double edge = 0.0115; ///< of the mesh [m]
     std::string out;
 };
 [[nodiscard]] int avatar(const AvatarOptions& options);

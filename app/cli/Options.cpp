@@ -197,6 +197,7 @@ void declareAvatar(CLI::App& app, std::function<int()>& chosen) {
     command->add_option_function<double>(
         "--shoulder-slope", [&m](const double& degrees) { m.shoulderSlope = degrees * std::numbers::pi / 180; },
         "below the horizontal [degrees]");
+    addLength(*command, "--edge", options->edge, "edges of the mesh, about");
     command->add_option("--out", options->out, "body file: .glb")->required();
     command->callback([options, &chosen] { chosen = [options] { return batch::avatar(*options); }; });
 }

@@ -20,7 +20,7 @@ constexpr double girthTolerance = 0.002; // well inside the 5 mm that we promise
 constexpr std::array<const char*, girthCount> girthNames{"bust", "underBust", "waist", "hip",
                                                          "neck", "biceps",    "wrist", "thigh"};
 
-std::optional<Error> firstImpossible(const Measurements& m) {
+std::optional<Error> firstImpossible(const Measurements& m, double edge) {
     struct Range {
         const char* name;
         double value, low, high; // [m], angles [rad]
@@ -42,7 +42,8 @@ std::optional<Error> firstImpossible(const Measurements& m) {
                             {"bustHeight", m.bustHeight, 0.12 * h, 0.22 * h},
                             {"arm", m.arm, 0.28 * h, 0.42 * h},
                             {"insideLeg", m.insideLeg, 0.38 * h, 0.53 * h},
-                            {"armAngle", m.armAngle, 0.00, 1.10, true}};
+                            {"armAngle", m.armAngle, 0.00, 1.10, true},
+                            {"edge", edge, 0.003, 0.015}};
     const Range* const wrong =
         std::ranges::find_if(ranges, [](const Range& r) { return !(r.value >= r.low && r.value <= r.high); });
     if (wrong == std::end(ranges)) return std::nullopt;
@@ -152,8 +153,8 @@ const Girth& worstOf(const std::vector<Girth>& girths) {
 
 } // namespace
 
-Result<Mannequin> makeMannequin(const Measurements& m) {
-    if (auto impossible = firstImpossible(m)) return tl::unexpected(*impossible);
+Result<Mannequin> makeMannequin(const Measurements& m, double edge) {
+    if (auto impossible = firstImpossible(m, edge)) return tl::unexpected(*impossible);
     if (auto crossed = firstCrossed(m)) return tl::unexpected(*crossed);
     const Girths asked = askedGirths(m);
     Girths aims = asked;
@@ -163,7 +164,7 @@ Result<Mannequin> makeMannequin(const Measurements& m) {
         factors = fitted(m, aims, factors);
         const MannequinShape shape = mannequinShape(m, factors);
         const Vec3 seed{0, shape.levels.waist, shape.torso.middle(shape.levels.waist).z};
-        auto mesh = isoSurface([&](const Vec3& p) { return shape.distance(p); }, seed);
+        auto mesh = isoSurface([&](const Vec3& p) { return shape.distance(p); }, seed, {.spacing = edge});
         if (!mesh) return tl::unexpected(mesh.error());
         girths = measuredGirths(*mesh, shape, asked);
         if (std::abs(worstOf(girths).hull - worstOf(girths).asked) <= girthTolerance) {

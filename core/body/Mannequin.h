@@ -40,8 +40,9 @@ struct Mannequin {
 };
 
 /// A smooth adult body, closed and manifold, facing +z, standing on y = 0, arms in an A-pose.
+/// Edges of its mesh are about as long as `edge` [m]; half of it makes four times the triangles.
 /// The error's place names the measurement that no body can have or that was not reached, as its field is called.
-[[nodiscard]] Result<Mannequin> makeMannequin(const Measurements& measurements);
+[[nodiscard]] Result<Mannequin> makeMannequin(const Measurements& measurements, double edge = 0.0115);
 
 /// Landmarks and limb axes guessed from the shape of a standing body that faces +z with y up; error when the
 /// mesh does not look like one.

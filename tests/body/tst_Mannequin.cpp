@@ -77,6 +77,7 @@ private slots:
     void armsAreClearOfTheTorso_data() { bodies(); }
     void armsAreClearOfTheTorso();
     void isTheSameEachTime();
+    void shorterEdgesGiveTheSameBody();
     void impossibleMeasurementsAreNamed_data();
     void impossibleMeasurementsAreNamed();
 
@@ -220,6 +221,19 @@ void tst_Mannequin::isTheSameEachTime() {
     const auto again = makeMannequin(sampleMeasurements().front().measurements);
     QVERIFY(again);
     QVERIFY(again->body == mannequinOf(0).body);
+}
+
+void tst_Mannequin::shorterEdgesGiveTheSameBody() {
+    const auto fine = makeMannequin({}, 0.0066);
+    QVERIFY(fine);
+    QVERIFY(fine->body.mesh.triangles.size() >= 100000);
+    QVERIFY(geometry::isClosedManifold(fine->body.mesh));
+    for (const Girth& girth : fine->girths) QVERIFY(std::abs(girth.hull - girth.asked) < promise);
+    for (const double edge : {0.001, 0.1, std::nan("")}) {
+        const auto refused = makeMannequin({}, edge);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().place.path, "edge");
+    }
 }
 
 void tst_Mannequin::impossibleMeasurementsAreNamed_data() {

@@ -146,6 +146,8 @@ void tst_Program::whatIsImpossibleIsSaidAsItWasGiven_data() {
     QTest::newRow("a name of two words, and a limit by another option")
         << QStringList{"--under-bust", "950.5", "--bust", "910.27"}
         << "--under-bust: It must lie between 550 and 910.2 mm for this body, but is 950.5.";
+    QTest::newRow("edges of a millimetre")
+        << QStringList{"--edge", "1"} << "--edge: It must lie between 3 and 15 mm for this body, but is 1.";
     QTest::newRow("no number") << QStringList{"--waist", "nan"}
                                << "--waist: It must lie between 480 and 1450 mm for this body, but is nan.";
 }
