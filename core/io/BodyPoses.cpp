@@ -16,21 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr double samePlace = 1e-3; ///< of a vertex of the body in the first pose [m]
 
-Result<std::vector<fs::path>> posesIn(const fs::path& folder) {
-    std::error_code problem;
-    std::vector<fs::path> files;
-    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem))
-        if (isBodyFile(entry->path())) files.push_back(entry->path());
-    if (problem)
-        return fail(ErrorCode::io, fmt::format("The folder cannot be read: {}.", problem.message()),
-                    {.file = folder.string()});
-    if (files.size() < 2)
-        return fail(ErrorCode::invalidInput, "Holds no two models: a motion needs two poses at least.",
-                    {.file = folder.string()});
-    std::ranges::sort(files);
-    return files;
-}
-
 /// The vertex of a pose that is nearest to a place, by a grid.
 class PlaceIndex {
 public:
@@ -84,6 +69,21 @@ Result<std::vector<int>> verticesOf(const body::Body& body, const std::vector<Ve
 }
 
 } // namespace
+
+Result<std::vector<fs::path>> posesIn(const fs::path& folder) {
+    std::error_code problem;
+    std::vector<fs::path> files;
+    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem))
+        if (isBodyFile(entry->path())) files.push_back(entry->path());
+    if (problem)
+        return fail(ErrorCode::io, fmt::format("The folder cannot be read: {}.", problem.message()),
+                    {.file = folder.string()});
+    if (files.size() < 2)
+        return fail(ErrorCode::invalidInput, "Holds no two models: a motion needs two poses at least.",
+                    {.file = folder.string()});
+    std::ranges::sort(files);
+    return files;
+}
 
 Result<geometry::VertexMotion> readBodyPoses(const fs::path& folder, const body::Body& body, double step) {
     const auto files = posesIn(folder);

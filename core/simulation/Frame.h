@@ -5,6 +5,7 @@
 #include "core/base/Shared.h"
 #include "core/body/Landmarks.h"
 #include "core/geometry/Vec.h"
+#include "core/simulation/Phase.h"
 
 #include <array>
 #include <cstdint>
@@ -45,6 +46,8 @@ struct Frame {
     Shared<FrameTopology> topology;
     std::vector<Vec3> positions;            ///< of the topology's vertices [m]
     std::optional<Shared<body::Body>> body; ///< as it stands now, if not as the scene has it
+    bool bodyMoves = false;                 ///< its pose is one on the way
+    Phase phase = Phase::sewing;            ///< draping: the garment is put on, and left to itself
     double time = 0;                        ///< simulated [s]
     double framesPerSecond = 0;             ///< simulated frames computed a second
     int particles = 0;

@@ -365,6 +365,8 @@ Frame Simulation::frame() const {
     frame.topology = topology_;
     frame.positions = nodePositions();
     frame.body = movedBody_;
+    frame.bodyMoves = bodyMoves();
+    frame.phase = phase_;
     frame.time = state_.time;
     frame.framesPerSecond = stepSeconds_ > 0 ? 1 / stepSeconds_ : 0;
     frame.particles = garment_->particles.particleCount;

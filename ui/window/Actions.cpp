@@ -55,10 +55,18 @@ void Actions::add(QWidget& window, const std::vector<ActionSpec>& table) {
 void Actions::setShortcut(const QString& id, const QKeySequence& shortcut) {
     QAction& action = *(*this)[id];
     action.setShortcut(shortcut);
-    showTip(action);
+    if (action.isEnabled()) showTip(action);
     QSettings settings;
     if (shortcut == defaultShortcut(id)) settings.remove(settingsGroup + id);
     else settings.setValue(settingsGroup + id, shortcut.toString());
+}
+
+void Actions::allow(const QString& id, const QString& whyNot) {
+    QAction& action = *(*this)[id];
+    if (action.isEnabled() == whyNot.isEmpty() && (whyNot.isEmpty() || action.toolTip() == whyNot)) return;
+    action.setEnabled(whyNot.isEmpty());
+    if (whyNot.isEmpty()) showTip(action);
+    else action.setToolTip(whyNot);
 }
 
 QAction* Actions::operator[](const QString& id) const {

@@ -38,6 +38,9 @@ public:
     /// From now on, also in the next window; empty = none.
     void setShortcut(const QString& id, const QKeySequence& shortcut);
 
+    /// Whether it can be done now: whyNot is empty, or becomes its tip.
+    void allow(const QString& id, const QString& whyNot);
+
     /// The actions of these ids; "-" is a separator.
     void fill(QWidget& menuOrBar, const QStringList& ids) const;
 

@@ -2,6 +2,7 @@
 #include "ui/window/FileCommands.h"
 
 #include "ui/values/Remarks.h"
+#include "ui/window/MotionDialog.h"
 #include "ui/window/SaveDialog.h"
 #include "ui/window/TakeTyped.h"
 
@@ -113,6 +114,11 @@ void FileCommands::importAvatar() {
         QFileDialog::getOpenFileName(&window_, tr("Import avatar"), QFileInfo(workbench_.path()).absolutePath(),
                                      tr("Bodies (*.glb *.gltf *.obj *.stl *.ply *.dae *.fbx);;All files (*)"));
     if (!path.isEmpty()) workbench_.importAvatar(path);
+}
+
+void FileCommands::moveAvatar() {
+    MotionDialog dialog(&window_);
+    if (dialog.exec() == QDialog::Accepted) workbench_.moveThroughPoses(dialog.folder(), dialog.step());
 }
 
 void FileCommands::useMannequin() {

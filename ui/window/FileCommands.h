@@ -29,6 +29,7 @@ public:
     void resume();
     void resumeFrom(const QString& checkpoint); ///< tells what goes wrong
     void importAvatar();
+    void moveAvatar();   ///< through poses
     void useMannequin(); ///< the body that comes with the samples
     void openSample(const QString& path);
     /// Asks what to do with unsaved changes; false = stay.

@@ -157,9 +157,11 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::messageChanged, status_, &StatusLine::tell);
     const auto showFrame = [this] {
         status_->showFrame(workbench_.frame() ? &*workbench_.frame() : nullptr, workbench_.isPlaying());
-        actions_["avatar.liftArms"]->setChecked(workbench_.bodyHasMoved());
+        showMotion();
     };
     connect(&workbench_, &Workbench::frameArrived, this, showFrame);
+    connect(&workbench_, &Workbench::bodyChanged, this, &MainWindow::showMotion);
+    connect(&workbench_, &Workbench::posesRead, this, &MainWindow::showMotion);
     connect(&workbench_, &Workbench::playingChanged, this, [this, showFrame] {
         showFrame();
         QAction* play = actions_["simulation.play"];
@@ -172,6 +174,7 @@ void MainWindow::connectWorkbench() {
     connect(pattern_, &PatternView::menuWanted, this, &MainWindow::showMenu);
     showTitle();
     showHistory();
+    showMotion();
 }
 
 void MainWindow::useTool(const QString& id) {
@@ -184,6 +187,15 @@ void MainWindow::useTool(const QString& id) {
 
 void MainWindow::showTool() {
     options_->show(tools_.entry(tool_));
+}
+
+void MainWindow::showMotion() {
+    const bool armsAreUp = workbench_.armsAreUp();
+    const QString there = workbench_.whyNotMoved(), back = workbench_.whyNotMovedBack();
+    actions_.allow(QStringLiteral("avatar.liftArms"), armsAreUp ? back : there);
+    actions_["avatar.liftArms"]->setChecked(armsAreUp);
+    actions_.allow(QStringLiteral("avatar.moveThroughPoses"), there);
+    actions_.allow(QStringLiteral("avatar.moveBack"), back);
 }
 
 void MainWindow::showTitle() {

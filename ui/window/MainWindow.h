@@ -64,6 +64,7 @@ private:
     void showTitle();
     void showHistory();
     void showTool();
+    void showMotion(); ///< which commands move the avatar
     void showMenu(const Selection& under, QPoint globalPosition);
     void about();
 

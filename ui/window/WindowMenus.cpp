@@ -14,6 +14,7 @@ namespace toile::ui {
 void MainWindow::makeMenus() {
     const auto menu = [this](const QString& title, const QStringList& ids) {
         QMenu* made = menuBar()->addMenu(title);
+        made->setToolTipsVisible(true); // they say why what is disabled cannot be done
         actions_.fill(*made, ids);
         return made;
     };
@@ -38,7 +39,8 @@ void MainWindow::makeMenus() {
                       "look.regions", "look.seams",        "look.cutLines", "look.names",     "look.grid", "-",
                       "look3d.body",  "look3d.meshLines",  "look3d.seams",  "look3d.regions", "-"});
     actions_.fill(*view->addMenu(tr("Mouse in the &3D view")), {"habits.clo", "habits.blender", "habits.maya"});
-    menu(tr("&Avatar"), {"avatar.mannequin", "avatar.import", "avatar.remove", "-", "avatar.liftArms"});
+    menu(tr("&Avatar"), {"avatar.mannequin", "avatar.import", "avatar.remove", "-", "avatar.liftArms",
+                         "avatar.moveThroughPoses", "avatar.moveBack"});
     menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset", "-", "simulation.finish",
                              "simulation.accuracy", "-", "simulation.saveCheckpoint", "simulation.resume"});
     menu(tr("&Help"), {"help.about"});

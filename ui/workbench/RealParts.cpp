@@ -2,6 +2,7 @@
 #include "ui/workbench/RealParts.h"
 
 #include "core/io/BodyImport.h"
+#include "core/io/BodyPoses.h"
 #include "core/io/CheckpointFile.h"
 #include "core/io/DocumentFile.h"
 #include "core/io/DrapeExport.h"
@@ -45,6 +46,9 @@ WorkbenchParts realParts(const QString& recoveryFolder) {
         // A body of ours says what it is; a foreign file that does not look human is a thing to drape over.
         auto human = io::readBody(file);
         return human ? human : io::readBody(file, {.isHuman = false});
+    };
+    parts.readMotion = [](const std::string& folder, const body::Body& body, double step) {
+        return io::readBodyPoses(folder, body, step);
     };
     parts.readCheckpoint = io::readCheckpoint;
     parts.writeCheckpoint = [](const std::string& file, const simulation::Checkpoint& checkpoint) {

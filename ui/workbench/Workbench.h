@@ -21,6 +21,8 @@ struct WorkbenchParts {
     std::function<Result<io::Imported>(const std::string& file)> read;
     std::function<Result<void>(const std::string& file, const document::Document&)> write;
     std::function<Result<body::Body>(const std::string& file)> readBody;
+    /// A folder of poses of this body, so far apart in time [s].
+    std::function<Result<geometry::VertexMotion>(const std::string& folder, const body::Body&, double step)> readMotion;
     std::function<Result<simulation::Checkpoint>(const std::string& file)> readCheckpoint;
     std::function<Result<void>(const std::string& file, const simulation::Checkpoint&)> writeCheckpoint;
     MeshPreview::Mesher mesh;
@@ -88,7 +90,16 @@ public:
     void hold(std::vector<simulation::Grip> grips);
     /// The avatar's arms go up by 60°, or back down, while the garment plays; what cannot be is told.
     void liftArms();
+    /// The avatar goes through the poses in a folder, so far apart in time [s], once they are read; what cannot be is
+    /// told.
+    void moveThroughPoses(const QString& folder, double step);
+    /// The way the avatar moved last, backwards; what cannot be is told.
+    void moveBack();
     [[nodiscard]] bool bodyHasMoved() const { return frame_ && frame_->body; }
+    [[nodiscard]] bool armsAreUp() const { return bodyHasMoved() && movesArms_; }
+    /// Why the avatar cannot leave the pose that the document has it in; empty = it can.
+    [[nodiscard]] QString whyNotMoved() const;
+    [[nodiscard]] QString whyNotMovedBack() const;
     /// Writes where the simulation stands, once the frame step under way is done.
     void saveCheckpoint(const QString& path);
     /// The garment goes on from there, paused: now, or when its body has been read.
@@ -106,6 +117,7 @@ Q_SIGNALS:
     void meshChanged();
     void bodyChanged();
     void frameArrived();
+    void posesRead(); ///< or not any more being read
     void playingChanged();
     void fileChanged(); ///< path or modified mark
     void messageChanged(const QString& message, bool isProblem);
@@ -119,6 +131,9 @@ private:
     void loadBody();
     void takeBody(std::uint64_t reading, Result<body::Body> body);
     void takeCheckpoint();
+    [[nodiscard]] QString whyAvatarStays() const;
+    void move(geometry::VertexMotion motion, bool liftsArms);
+    void takeMotion(const Shared<body::Body>& body, Result<geometry::VertexMotion> motion);
     void tellOfFinish(const simulation::Frame& frame);
     void tellOfProblem(const QString& why);
     void takeBack(Complaint complaint);
@@ -149,10 +164,14 @@ private:
     std::optional<pattern::Pattern> meshedPattern_; ///< handed to the mesh preview
     std::optional<simulation::Scene> scene_;        ///< handed to the simulation
     bool wasPlaying_ = false;
-    Complaint complaint_ = Complaint::none; ///< that the message told last is
+    std::shared_ptr<const geometry::VertexMotion> motion_; ///< ordered last, away from the first pose
+    bool movesArms_ = false;                               ///< it lifts them
+    bool motionLoading_ = false;                           ///< another one is being read
+    Complaint complaint_ = Complaint::none;                ///< that the message told last is
     std::optional<Journal> journal_;
     QTimer frames_, recovery_;
-    std::jthread bodyThread_; ///< reads a body; the next one waits for it
+    std::jthread bodyThread_;   ///< reads a body; the next one waits for it
+    std::jthread motionThread_; ///< reads poses, of one motion at a time
 };
 
 } // namespace toile::ui

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Playing the simulation, and what comes back from it.
-#include "core/body/ArmLift.h"
 #include "ui/values/Units.h"
 #include "ui/workbench/Workbench.h"
 
 #include <QFileInfo>
-#include <algorithm>
-#include <numbers>
 
 namespace toile::ui {
 
@@ -61,16 +58,6 @@ void Workbench::tellOfProblem(const QString& why) {
 
 void Workbench::hold(std::vector<simulation::Grip> grips) {
     if (parts_.simulation) parts_.simulation->hold(std::move(grips));
-    follow();
-}
-
-void Workbench::liftArms() {
-    constexpr double angle = std::numbers::pi / 3, seconds = 1;
-    if (!body_ || !frame_) return tell(tr("There is no garment on an avatar whose arms could be lifted."), true);
-    auto motion = body::armLift(**body_, angle, seconds);
-    if (!motion) return tell(QString::fromStdString(toString(motion.error())), true);
-    if (bodyHasMoved()) std::ranges::reverse(motion->poses);
-    parts_.simulation->moveBody(std::make_shared<const geometry::VertexMotion>(std::move(*motion)));
     follow();
 }
 
