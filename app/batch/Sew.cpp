@@ -130,6 +130,10 @@ void printWearing(const simulation::WearingReport& wearing) {
     fmt::print("{} intersections with it, {} of the cloth with itself; the hem rose by {:.0f} mm; {}{}\n",
                contact.bodyIntersections, contact.selfIntersections, 1000 * wearing.hemRise, wearing.after.ending,
                wearing.after.residual ? fmt::format(", residual {:.1e}", *wearing.after.residual) : "");
+    constexpr double worthTelling = 1e-4; // [m]
+    if (wearing.offItsPin > worthTelling)
+        fmt::print("cloth pinned to the body was held back by other cloth, by {:.1f} mm at most\n",
+                   1000 * wearing.offItsPin);
 }
 
 /// The scene's body as it stands at the end.

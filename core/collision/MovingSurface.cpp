@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace toile::collision {
 namespace {
 
+using Corners = std::array<Vec3, 3>;
+
 /// Shares of a triangle's corners in a point on it, by the areas opposite; of a sliver, its nearest corner.
-std::array<double, 3> sharesOf(const Vec3& p, const std::array<Vec3, 3>& corner) {
+std::array<double, 3> sharesOf(const Vec3& p, const Corners& corner) {
     const Vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
     const double doubled = squaredLength(normal);
     std::array<double, 3> shares{};
@@ -25,6 +28,18 @@ std::array<double, 3> sharesOf(const Vec3& p, const std::array<Vec3, 3>& corner)
     shares.fill(0);
     shares[static_cast<std::size_t>(nearest - corner.begin())] = 1;
     return shares;
+}
+
+Vec3 blend(const Corners& corner, const std::array<double, 3>& shares) {
+    return corner[0] * shares[0] + corner[1] * shares[1] + corner[2] * shares[2];
+}
+
+/// The triangle's frame, with this origin.
+Transform frameOf(const Corners& corner, const Vec3& origin) {
+    const Vec3 side = corner[1] - corner[0], normal = cross(side, corner[2] - corner[0]);
+    if (!(squaredLength(normal) > 0)) return {.origin = origin};
+    const Vec3 x = normalized(side), z = normalized(normal);
+    return {x, cross(z, x), z, origin};
 }
 
 BodySurface soundSurface(geometry::TriangleMesh mesh) {
@@ -53,10 +68,27 @@ void MovingSurface::moveTo(double time) {
 }
 
 Vec3 MovingSurface::wayOf(const SurfacePoint& place) const {
-    const auto& triangle = surface_.mesh().triangles[place.triangle];
+    const auto& [a, b, c] = surface_.mesh().triangles[place.triangle];
     const std::vector<Vec3>& vertices = surface_.mesh().vertices;
-    const auto shares = sharesOf(place.point, {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]});
-    return ways_[triangle[0]] * shares[0] + ways_[triangle[1]] * shares[1] + ways_[triangle[2]] * shares[2];
+    return blend({ways_[a], ways_[b], ways_[c]}, sharesOf(place.point, {vertices[a], vertices[b], vertices[c]}));
+}
+
+CarriedPlace MovingSurface::carried(const Vec3& point) const {
+    const SurfacePoint near = *surface_.nearest(point, std::numeric_limits<double>::infinity());
+    const auto& [a, b, c] = surface_.mesh().triangles[near.triangle];
+    const std::vector<Vec3>& vertices = surface_.mesh().vertices;
+    const Corners corner{vertices[a], vertices[b], vertices[c]};
+    const auto shares = sharesOf(near.point, corner);
+    const Vec3 below = blend(corner, shares), off = point - below;
+    const Transform frame = frameOf(corner, below);
+    return {near.triangle, shares, {dot(off, frame.axisX), dot(off, frame.axisY), dot(off, frame.axisZ)}};
+}
+
+Vec3 MovingSurface::at(const CarriedPlace& place, double time) const {
+    Corners corner;
+    for (std::size_t k = 0; k < corner.size(); ++k)
+        corner[k] = motion_->vertexAt(surface_.mesh().triangles[place.triangle][k], time - begins_);
+    return frameOf(corner, blend(corner, place.shares)).point(place.offset);
 }
 
 } // namespace toile::collision

@@ -4,9 +4,19 @@
 #include "core/collision/BodySurface.h"
 #include "core/geometry/VertexMotion.h"
 
+#include <array>
 #include <memory>
 
 namespace toile::collision {
+
+/// A place that goes along with a surface as if it were fixed to one of its triangles.
+struct CarriedPlace {
+    int triangle = -1;
+    std::array<double, 3> shares{}; ///< of the triangle's corners in the point below it
+    Vec3 offset; ///< from that point: along the first side, across it, along the normal [m]; a triangle without area
+                 ///< has the axes of space instead
+    friend bool operator==(const CarriedPlace&, const CarriedPlace&) = default;
+};
 
 /// A body that moves while cloth lies on it: its surface at one time, and how each place of it came there.
 class MovingSurface {
@@ -21,6 +31,10 @@ public:
     [[nodiscard]] const BodySurface& surface() const { return surface_; }
     /// How far a place of the surface came by the last moveTo() [m].
     [[nodiscard]] Vec3 wayOf(const SurfacePoint& place) const;
+    /// A point of space, as a place of the triangle that is nearest to it now.
+    [[nodiscard]] CarriedPlace carried(const Vec3& point) const;
+    /// Where the surface has carried it at this time [m]; the surface itself stays as it is.
+    [[nodiscard]] Vec3 at(const CarriedPlace& place, double time) const;
     /// The farthest that any did [m].
     [[nodiscard]] double farthestWay() const { return farthest_; }
     /// The farthest that any place goes between two times, or a little more [m].

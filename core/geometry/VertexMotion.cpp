@@ -14,17 +14,33 @@ double farthestBetween(const std::vector<Vec3>& from, const std::vector<Vec3>& t
     return std::sqrt(farthest);
 }
 
+/// On the way between two poses.
+struct Between {
+    const std::vector<Vec3>&from, &to;
+    double share; ///< of the way that is done
+
+    [[nodiscard]] Vec3 vertex(std::size_t v) const { return from[v] * (1 - share) + to[v] * share; }
+};
+
+Between betweenPoses(const VertexMotion& motion, double time) {
+    constexpr double rounding = 1e-9; // of a sum of times, in poses
+    const std::vector<std::vector<Vec3>>& poses = motion.poses;
+    const double last = static_cast<double>(poses.size() - 1), asked = std::clamp(time / motion.step, 0.0, last);
+    const double place = asked > last - rounding ? last : asked;
+    const auto pose = std::min(static_cast<std::size_t>(place), poses.size() - 2);
+    return {poses[pose], poses[pose + 1], place - static_cast<double>(pose)};
+}
+
 } // namespace
 
 void VertexMotion::at(double time, std::vector<Vec3>& vertices) const {
-    constexpr double rounding = 1e-9; // of a sum of times, in poses
-    const double last = static_cast<double>(poses.size() - 1), asked = std::clamp(time / step, 0.0, last);
-    const double place = asked > last - rounding ? last : asked;
-    const auto pose = std::min(static_cast<std::size_t>(place), poses.size() - 2);
-    const double share = place - static_cast<double>(pose);
-    const std::vector<Vec3>&from = poses[pose], &to = poses[pose + 1];
-    vertices.resize(from.size());
-    for (std::size_t v = 0; v < from.size(); ++v) vertices[v] = from[v] * (1 - share) + to[v] * share;
+    const Between now = betweenPoses(*this, time);
+    vertices.resize(now.from.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] = now.vertex(v);
+}
+
+Vec3 VertexMotion::vertexAt(std::size_t vertex, double time) const {
+    return betweenPoses(*this, time).vertex(vertex);
 }
 
 double VertexMotion::farthest(double from, double to) const {

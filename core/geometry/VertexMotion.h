@@ -17,6 +17,8 @@ struct VertexMotion {
     [[nodiscard]] double duration() const { return step * static_cast<double>(poses.size() - 1); }
     /// Where the vertices are so long after the beginning [s]; before it, as at it.
     void at(double time, std::vector<Vec3>& vertices) const;
+    /// Where one of them is, to the same bit [m].
+    [[nodiscard]] Vec3 vertexAt(std::size_t vertex, double time) const;
     /// The farthest that a vertex goes between two times [m], or a little more.
     [[nodiscard]] double farthest(double from, double to) const;
     friend bool operator==(const VertexMotion&, const VertexMotion&) = default;

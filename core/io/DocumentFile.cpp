@@ -38,6 +38,18 @@ std::vector<Problem> checkAvatar(const document::Document& document, const std::
         {{.path = "avatar"}, fmt::format("There is no file \"{}\" beside the document.", document.avatarFile), true}};
 }
 
+std::vector<Problem> checkPinsToBody(const document::Document& document) {
+    if (!document.avatarFile.empty()) return {};
+    std::vector<Problem> problems;
+    for (std::size_t i = 0; i < document.pattern.pins.size(); ++i)
+        if (const pattern::Pin& pin = document.pattern.pins[i]; pin.toBody)
+            problems.push_back(
+                {{.path = fmt::format("pins[{}].toBody", i), .object = fmt::format("pin \"{}\"", pin.id.value)},
+                 "The document has no avatar to which its cloth could be pinned: it stays where it lies.",
+                 false});
+    return problems;
+}
+
 } // namespace
 
 Result<Imported> readDocument(const std::string& path) {
@@ -77,6 +89,7 @@ Result<Checked> checkFile(const std::string& path) {
     append(checkAvatar(checked.document, path));
     append(simulation::checkScene(checked.document.scene));
     append(pattern::checkPattern(checked.document.pattern));
+    append(checkPinsToBody(checked.document));
     const bool isOurs = extensionOf(path) == ".toile"; // paths of another format are not those of the document
     const auto json = isOurs ? parseJson(*text, path) : Result<Json>(Json());
     for (Problem& problem : checked.problems) {

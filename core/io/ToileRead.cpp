@@ -265,7 +265,7 @@ Shared<Fabric> fabricOf(JsonNode& node) {
 
 Pin pinOf(JsonNode& node) {
     return {idOf<PinId>(node.required("id")), idOf<PieceId>(node.required("piece")),
-            idOf<VertexId>(node.required("vertex"))};
+            idOf<VertexId>(node.required("vertex")), node["toBody"].truth()};
 }
 
 ClothPoint clothPointOf(JsonNode node) {

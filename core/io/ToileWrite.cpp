@@ -243,6 +243,7 @@ Json fabricJson(const Shared<Fabric>& shared) {
 Json pinJson(const Pin& pin) {
     Json json;
     json.set("id", pin.id.value).set("piece", pin.piece.value).set("vertex", pin.vertex.value);
+    if (pin.toBody) json.set("toBody", true);
     return json;
 }
 

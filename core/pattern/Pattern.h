@@ -225,11 +225,12 @@ struct Seam {
     friend bool operator==(const Seam&, const Seam&) = default;
 };
 
-/// Holds a vertex of a piece at its starting place.
+/// Holds a vertex of a piece where it lies: at its starting place, or where it came to lie before it was pinned.
 struct Pin {
     PinId id;
     PieceId piece;
     VertexId vertex;
+    bool toBody = false; ///< carried along where the body moves
     friend bool operator==(const Pin&, const Pin&) = default;
 };
 

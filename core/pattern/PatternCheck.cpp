@@ -177,6 +177,11 @@ void checkPins(const Pattern& pattern, std::vector<Problem>& all) {
         else if (!held.insert({pin.piece, pin.vertex}).second)
             problems.error("vertex", fmt::format("The point \"{}\" of the piece \"{}\" is pinned twice.",
                                                  pin.vertex.value, piece->name));
+        else if (pin.toBody && piece->frozen)
+            problems.warning("toBody",
+                             fmt::format("The piece \"{}\" is frozen: its cloth stays where it lies, whatever the body "
+                                         "does.",
+                                         piece->name));
     }
 }
 

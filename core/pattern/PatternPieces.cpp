@@ -276,4 +276,12 @@ Result<Pattern> removePin(const Pattern& pattern, const PinId& pin) {
     return next;
 }
 
+Result<Pattern> setPinToBody(const Pattern& pattern, const PinId& pin, bool toBody) {
+    Pattern next = pattern;
+    const auto found = std::ranges::find(next.pins, pin, &Pin::id);
+    if (found == next.pins.end()) return fail(ErrorCode::notFound, fmt::format("There is no pin \"{}\".", pin.value));
+    found->toBody = toBody;
+    return next;
+}
+
 } // namespace toile::pattern

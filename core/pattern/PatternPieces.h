@@ -49,9 +49,11 @@ constexpr double mostPressure = 10'000; ///< [Pa]
 /// Some pieces cover each other on the table, as in a pattern that was never laid out.
 [[nodiscard]] bool piecesCoverEachOther(const Pattern& pattern);
 
-/// Holds a vertex where it starts. Error when it is held already.
+/// Holds a vertex where it lies. Error when it is held already.
 [[nodiscard]] Result<Pattern> addPin(const Pattern& pattern, const PieceId& piece, const VertexId& vertex,
                                      IdSource& ids);
 [[nodiscard]] Result<Pattern> removePin(const Pattern& pattern, const PinId& pin);
+/// Where the body moves, the vertex is carried along instead of staying where it is.
+[[nodiscard]] Result<Pattern> setPinToBody(const Pattern& pattern, const PinId& pin, bool toBody);
 
 } // namespace toile::pattern

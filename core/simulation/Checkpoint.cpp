@@ -33,6 +33,7 @@ void addModel(Numbers& numbers, const Garment& garment) {
     const cloth::ClothModel& model = garment.model;
     for (const double m : model.mass) numbers.add(m);
     for (const int p : model.pinned) numbers.add(p);
+    for (const int p : garment.pinnedToBody) numbers.add(p);
     for (const auto* springs : {&model.structural, &model.shear, &model.elastics, &model.flexion})
         for (const cloth::Spring& s : *springs) numbers.add(s.a, s.b, s.restLength, s.stiffness);
     for (const auto* stencils : {&model.bending, &model.twist})

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace toile::simulation {
 namespace {
@@ -51,18 +52,26 @@ Result<int> nodeAt(const Piece& piece, const meshing::PieceMesh& mesh, const pat
                 {.object = fmt::format("pin \"{}\"", pin.id.value)});
 }
 
-/// All particles of a frozen piece.
-void freeze(Garment& garment, const Pattern& pattern) {
+/// All particles of frozen pieces.
+std::vector<int> frozenParticles(const Garment& garment, const Pattern& pattern) {
+    std::vector<int> frozen;
     for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
         if (!pattern.pieces[i]->frozen) continue;
         const auto first = garment.particles.particleOf.begin() + garment.particles.firstNode[i];
-        garment.model.pinned.insert(garment.model.pinned.end(), first,
-                                    first + std::ssize(garment.mesh->pieces[i].nodes));
+        frozen.insert(frozen.end(), first, first + std::ssize(garment.mesh->pieces[i].nodes));
     }
+    return frozen;
 }
 
+void sortUnique(std::vector<int>& numbers) {
+    std::ranges::sort(numbers);
+    const auto [first, last] = std::ranges::unique(numbers);
+    numbers.erase(first, last);
+}
+
+/// What is held in space and to the body, where a seam has made one particle of both, is held in space.
 Result<void> pinParticles(Garment& garment, const Pattern& pattern) {
-    freeze(garment, pattern);
+    std::vector<int> inSpace = frozenParticles(garment, pattern), toBody;
     for (const pattern::Pin& pin : pattern.pins) {
         const auto at = std::ranges::find_if(pattern.pieces, [&](const auto& piece) { return piece->id == pin.piece; });
         if (at == pattern.pieces.end())
@@ -71,11 +80,12 @@ Result<void> pinParticles(Garment& garment, const Pattern& pattern) {
         const int piece = static_cast<int>(at - pattern.pieces.begin());
         const auto node = nodeAt(pattern::resolved(pattern, **at), garment.mesh->pieces[piece], pin);
         if (!node) return tl::unexpected(node.error());
-        garment.model.pinned.push_back(garment.particles.particle({piece, *node}));
+        (pin.toBody ? toBody : inSpace).push_back(garment.particles.particle({piece, *node}));
     }
-    std::ranges::sort(garment.model.pinned);
-    const auto [first, last] = std::ranges::unique(garment.model.pinned);
-    garment.model.pinned.erase(first, last);
+    sortUnique(inSpace);
+    sortUnique(toBody);
+    std::ranges::set_difference(toBody, inSpace, std::back_inserter(garment.pinnedToBody));
+    std::ranges::set_union(inSpace, toBody, std::back_inserter(garment.model.pinned));
     return {};
 }
 
@@ -89,7 +99,7 @@ cloth::StiffnessFactors factorsOf(const Piece& piece, int region) {
 
 Result<Garment> makeGarment(const Pattern& pattern, Shared<meshing::GarmentMesh> mesh, std::vector<bool> mergedSeams,
                             bool paper) {
-    Garment garment{std::move(mesh), std::move(mergedSeams), {}, {}, {}, {}, {}};
+    Garment garment{std::move(mesh), std::move(mergedSeams), {}, {}, {}, {}, {}, {}};
     garment.particles = particleMap(*garment.mesh, garment.mergedSeams);
     garment.halfThickness.assign(garment.particles.particleCount, 0);
     garment.friction.assign(garment.particles.particleCount, 0);

@@ -21,6 +21,7 @@ struct Garment {
     std::vector<bool> mergedSeams;
     ParticleMap particles;
     cloth::ClothModel model;
+    std::vector<int> pinnedToBody;     ///< those of the model's pinned that the body carries along, rising
     std::vector<double> halfThickness; ///< of the cloth at each particle [m]
     std::vector<double> friction;      ///< of the cloth at each particle [–]
     std::vector<FoldHinges> folds;

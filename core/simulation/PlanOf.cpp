@@ -49,13 +49,17 @@ void leaveOutElements(StepPlan& plan, const Garment& garment) {
 } // namespace
 
 StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
-                std::vector<SeamPair> pairs, std::span<const TackState> tacks,
+                std::unique_ptr<BodyPins> carried, std::vector<SeamPair> pairs, std::span<const TackState> tacks,
                 std::shared_ptr<const std::vector<Grip>> grips, std::span<const Vec3> positions,
                 std::span<const std::string> forced, Phase phase) {
     const bool isSewing = phase == Phase::sewing;
     const auto isForced = [&](std::string_view stage) { return std::ranges::find(forced, stage) != forced.end(); };
     StepPlan plan;
     leaveOutElements(plan, garment);
+
+    if (carried) plan.add(std::move(carried)); // first: air finds the cloth where it is
+    else if (garment.pinnedToBody.empty()) plan.leaveOut("pins to the body", "nothing is pinned to it");
+    else plan.leaveOut("pins to the body", body ? "it stands still" : "no body");
 
     if (isForced("wind")) plan.add(windOn(scene, garment, scene.settings.air.value_or(Air{.drag = 0})));
     else if (!scene.settings.air) plan.leaveOut("wind", "the scene has no air");

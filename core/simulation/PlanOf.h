@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/collision/BodySurface.h"
+#include "core/simulation/BodyPins.h"
 #include "core/simulation/Garment.h"
 #include "core/simulation/Grips.h"
 #include "core/simulation/Phase.h"
@@ -13,12 +14,12 @@
 namespace toile::simulation {
 
 /// What one step of this scene does: read from top to bottom. body may be null; pairs are those of seams being
-/// closed; tacks those of the pattern; grips what hands hold; positions those of the particles now [m]. Stages that are
-/// forced are built although the scene has no use for them: "wind", "pressure", "seams", "tacks", "hands", "seams that
-/// meet", "self-contact".
+/// closed; tacks those of the pattern; grips what hands hold; positions those of the particles now [m]; carried is null
+/// unless the body moves and cloth is pinned to it. Stages that are forced are built although the scene has no use for
+/// them: "wind", "pressure", "seams", "tacks", "hands", "seams that meet", "self-contact".
 [[nodiscard]] StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
-                              std::vector<SeamPair> pairs, std::span<const TackState> tacks,
-                              std::shared_ptr<const std::vector<Grip>> grips, std::span<const Vec3> positions,
-                              std::span<const std::string> forced, Phase phase);
+                              std::unique_ptr<BodyPins> carried, std::vector<SeamPair> pairs,
+                              std::span<const TackState> tacks, std::shared_ptr<const std::vector<Grip>> grips,
+                              std::span<const Vec3> positions, std::span<const std::string> forced, Phase phase);
 
 } // namespace toile::simulation

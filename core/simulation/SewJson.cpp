@@ -187,7 +187,8 @@ Json toJson(const WearingReport& report) {
     json.set("bodyClearanceMinimum", numberOrNull(report.contact.bodyClearanceMinimum));
     json.set("bodyIntersections", report.contact.bodyIntersections);
     json.set("selfIntersections", report.contact.selfIntersections);
-    json.set("outsideBody", report.contact.outsideBody).set("hemRise", report.hemRise);
+    json.set("outsideBody", report.contact.outsideBody).set("offItsPinMaximum", report.offItsPin);
+    json.set("hemRise", report.hemRise);
     json.set("atRest", report.after.atRest);
     json.set("residual", numberOrNull(report.after.residual));
     json.set("warpMaximum", report.after.strain.warpMaximum).set("weftMaximum", report.after.strain.weftMaximum);

@@ -136,6 +136,7 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, 
     if (sameBody) {
         after.motion_ = before.motion_;
         after.movedBody_ = before.movedBody_;
+        after.pinToBody();
     }
     after.goesOnAsItLay_ = before.phase_ == Phase::draping || before.goesOnAsItLay_;
     after.seamStart_.assign(after.seams_.size(), -1);
@@ -158,7 +159,8 @@ void Simulation::rebuildPlan() {
     addCosts(formerCosts_, plan_.costs());
     Scene now = scene_;
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
-    plan_ = planOf(now, *garment_, body_.get(), std::move(pairs), tacks_, grips_, state_.positions, forced_, phase_);
+    plan_ = planOf(now, *garment_, body_.get(), carriedAlong(), std::move(pairs), tacks_, grips_, state_.positions,
+                   forced_, phase_);
     followBody();
     plannedDamping_ = damping();
     safe_.reset();

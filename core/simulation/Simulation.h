@@ -12,6 +12,7 @@
 #include "core/dynamics/Statics.h"
 #include "core/dynamics/TotalEnergyWatch.h"
 #include "core/dynamics/Xpbd.h"
+#include "core/simulation/BodyPins.h"
 #include "core/simulation/Checkpoint.h"
 #include "core/simulation/Frame.h"
 #include "core/simulation/Garment.h"
@@ -116,10 +117,13 @@ public:
     void hold(std::vector<Grip> grips);
 
     /// The body moves so from now on, by position-based steps, and stays as its last pose is; its landmarks and axes
-    /// are still those of where it stood. Error: the garment is still being put on, another method drapes it, there is
-    /// no body, or it cannot move so.
+    /// are still those of where it stood. What is pinned to it goes along with what of it is nearest now. Error: the
+    /// garment is still being put on, another method drapes it, there is no body, or it cannot move so.
     [[nodiscard]] Result<void> moveBody(std::shared_ptr<const geometry::VertexMotion> motion);
     [[nodiscard]] bool bodyMoves() const { return motion_ != nullptr; }
+    /// The farthest that cloth pinned to a body that moves is from where the body has carried its place [m]: 0 unless
+    /// other cloth holds it back.
+    [[nodiscard]] double farthestOffItsPin() const;
     /// As it stands, with the landmarks of the scene's; absent: as the scene has it.
     [[nodiscard]] const std::optional<Shared<body::Body>>& movedBody() const { return movedBody_; }
 
@@ -175,6 +179,8 @@ private:
     Simulation(Scene scene, SceneParts parts, MeshOverrides overrides);
 
     void rebuildPlan();
+    void pinToBody();
+    [[nodiscard]] std::unique_ptr<BodyPins> carriedAlong() const;
     void followBody();
     void standStill();
     void noteBody();
@@ -217,6 +223,7 @@ private:
     std::unique_ptr<const Garment> garment_; ///< the integrator keeps a reference to its model
     std::shared_ptr<const collision::BodySurface> body_;
     std::shared_ptr<collision::MovingSurface> motion_; ///< of a body that moves; then the surface is its
+    std::vector<BodyPin> bodyPins_;                    ///< of a body that moves
     std::optional<Shared<body::Body>> movedBody_;
     Shared<FrameTopology> topology_;
     dynamics::ParticleState state_;

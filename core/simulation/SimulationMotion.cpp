@@ -22,8 +22,26 @@ Result<void> Simulation::moveBody(std::shared_ptr<const geometry::VertexMotion> 
     motion_ = std::make_shared<collision::MovingSurface>(body_->mesh(), std::move(motion), state_.time);
     body_ = std::shared_ptr<const collision::BodySurface>(motion_, &motion_->surface());
     restingTime_ = 0;
+    pinToBody();
     rebuildPlan();
     return {};
+}
+
+/// Where the cloth lies now, on the body as it is now: when it begins to move, and whenever the cloth is built anew
+/// while it does.
+void Simulation::pinToBody() {
+    bodyPins_.clear();
+    if (!motion_ || garment_->pinnedToBody.empty()) return;
+    motion_->moveTo(state_.time);
+    bodyPins_ = pinnedTo(*motion_, garment_->pinnedToBody, state_.positions);
+}
+
+std::unique_ptr<BodyPins> Simulation::carriedAlong() const {
+    return bodyPins_.empty() ? nullptr : std::make_unique<BodyPins>(*motion_, bodyPins_);
+}
+
+double Simulation::farthestOffItsPin() const {
+    return bodyPins_.empty() ? 0 : farthestOff(*motion_, bodyPins_, state_.positions, state_.time);
 }
 
 void Simulation::followBody() {
@@ -34,6 +52,8 @@ void Simulation::followBody() {
 /// The surface stays the one that moved: cloth that was flung by it still wants a closer look.
 void Simulation::standStill() {
     motion_->moveTo(motion_->ends());
+    for (const BodyPin& pin : bodyPins_) state_.velocities[pin.particle] = {};
+    bodyPins_.clear();
     motion_.reset();
     rebuildPlan();
 }

@@ -34,6 +34,14 @@ void warnOfOpenTacks(Warnings& warnings, const Simulation& simulation) {
                                 fmt::format("The tack is not closed; its gap is {:.1f} mm.", 1000 * gap)});
 }
 
+void warnOfPinsWithoutBody(Warnings& warnings, const Simulation& simulation) {
+    if (simulation.body()) return;
+    for (const pattern::Pin& pin : simulation.scene().pattern.pins)
+        if (pin.toBody)
+            warnings.push_back({fmt::format("pin \"{}\"", pin.id.value),
+                                "There is no body to which its cloth could be pinned: it stays where it lies."});
+}
+
 /// One warning for each place, and no more than a reader can look at.
 void warnOfCrossedLayers(Warnings& warnings, const Simulation& simulation) {
     constexpr std::size_t most = 10;
@@ -124,6 +132,7 @@ std::vector<Warning> warningsOf(const Simulation& simulation, const ContactSumma
     Warnings warnings;
     warnOfOpenSeams(warnings, simulation);
     warnOfOpenTacks(warnings, simulation);
+    warnOfPinsWithoutBody(warnings, simulation);
     warnOfCrossedLayers(warnings, simulation);
     warnOfHeldBackCloth(warnings, simulation);
     warnOfUnsolvedSteps(warnings, simulation);

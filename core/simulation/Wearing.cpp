@@ -49,6 +49,7 @@ Result<WearingReport> wear(Simulation& simulation, std::shared_ptr<const geometr
             return tl::unexpected(stepped.error());
         }
         keepWorst(result.contact, contactOf(simulation));
+        result.offItsPin = std::max(result.offItsPin, simulation.farthestOffItsPin());
         ++result.steps;
         report(progress, 0.5 * elapsed / motion->duration(), "the body moves");
         if (observer) observer(simulation);

@@ -12,6 +12,8 @@ struct WearingReport {
     double bodySpeed = 0;   ///< largest [m/s]
     ContactSummary contact; ///< the worst of all these steps; its guarantee is that of before, as plans made anew on
                             ///< the way have not looked yet
+    double offItsPin = 0;   ///< the farthest that cloth pinned to the body was from where that had carried its place,
+                            ///< at the end of a step: held back by other cloth [m]
     double hemRise = 0;     ///< of the garment's lowest point, from before the motion to rest after it [m]
     double cpuSeconds = 0;  ///< of the motion
     SewReport after;        ///< at rest again; not judged as worn: the body's landmarks have not moved with it

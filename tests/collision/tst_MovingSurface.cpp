@@ -45,6 +45,7 @@ private slots:
     void isTheSurfaceThatWouldBeMadeThere();
     void normalsOnDemandAreThoseOfTheTable();
     void everyPlaceKnowsItsWay();
+    void pointsOffTheSurfaceAreCarriedAsByARigidBody();
     void trackedPointsAreFoundWhateverTheBodyDoes();
 };
 
@@ -105,6 +106,33 @@ void tst_MovingSurface::everyPlaceKnowsItsWay() {
         const Vec3 way = place.point - (before[i] * a + before[j] * b + before[k] * c);
         QVERIFY(geometry::distance(moving.wayOf(place), way) < 1e-9);
     }
+}
+
+void tst_MovingSurface::pointsOffTheSurfaceAreCarriedAsByARigidBody() {
+    const geometry::TriangleMesh mesh = shapes::bumpySphere();
+    const auto turned = [&](const std::vector<Vec3>& points, int pose) {
+        return bent(points, 0.7 * pose, 1, 0.3 * pose);
+    };
+    MovingSurface moving(mesh,
+                         std::make_shared<const VertexMotion>(
+                             VertexMotion{1, {mesh.vertices, turned(mesh.vertices, 1), turned(mesh.vertices, 2)}}),
+                         10);
+    std::mt19937 random(4);
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 point = shapes::randomPoint(random, 1.5);
+        const CarriedPlace place = moving.carried(point);
+        for (int pose = 0; pose <= 2; ++pose)
+            QVERIFY(geometry::distance(moving.at(place, 10 + pose), turned({point}, pose)[0]) < 1e-12);
+        QVERIFY(moving.at(place, 5) == moving.at(place, 10) && moving.at(place, 20) == moving.at(place, 12));
+    }
+    QVERIFY(moving.surface().mesh().vertices == mesh.vertices); // it was only asked
+
+    const geometry::TriangleMesh sliver{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
+    std::vector<Vec3> lifted = sliver.vertices;
+    for (Vec3& v : lifted) v.y += 1;
+    const MovingSurface line(sliver, std::make_shared<const VertexMotion>(VertexMotion{1, {sliver.vertices, lifted}}),
+                             0);
+    QVERIFY(geometry::distance(line.at(line.carried({0.9, 0.5, 0.2}), 1), {0.9, 1.5, 0.2}) < 1e-12);
 }
 
 void tst_MovingSurface::trackedPointsAreFoundWhateverTheBodyDoes() {

@@ -29,6 +29,10 @@ void tst_VertexMotion::posesAreJoinedByStraightWays() {
     QVERIFY(at == (std::vector<Vec3>{{0.5, 0, 0}, {5, 0, 0}}));
     motion_.at(0.75, at);
     QVERIFY(at == (std::vector<Vec3>{{1, 1, 0}, {5, 1.5, 0}}));
+    for (const double time : {-1.0, 0.1, 0.3, 0.77, 3.0}) {
+        motion_.at(time, at);
+        QVERIFY(motion_.vertexAt(0, time) == at[0] && motion_.vertexAt(1, time) == at[1]);
+    }
     motion_.at(7, at);
     QVERIFY(at == motion_.poses[2]);
 }

@@ -99,7 +99,8 @@ inline document::Document everyField() {
     button.order = 2;
 
     document::Document document;
-    document.pattern = {{front, mirror}, {seam}, {poplin}, {{PinId("n1"), PieceId("front"), VertexId("v3")}}, {button}};
+    document.pattern = {
+        {front, mirror}, {seam}, {poplin}, {{PinId("n1"), PieceId("front"), VertexId("v3"), true}}, {button}};
     document.avatarFile = "bodies/woman.glb";
     document.scene = {
         {0, -9.8, 0.1}, 0.7, 0.006, 0.004, 0.25, 0.8, 1.0 / 50, 7, true, simulation::Air{{1.5, 0, -2}, 1.1}};

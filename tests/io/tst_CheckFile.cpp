@@ -127,6 +127,10 @@ void tst_CheckFile::aBrokenDocumentGetsOneLine_data() {
     QTest::newRow("out-of-measure") << true
                                     << "out-of-measure.toile:34: pieces[0].vertices[1].x: Expected a length in "
                                        "millimetres, but 3e+99 is out of all measure.";
+    QTest::newRow("pinned-to-no-body")
+        << false
+        << "pinned-to-no-body.toile:95: pins[0].toBody: pin \"n1\": warning: The document "
+           "has no avatar to which its cloth could be pinned: it stays where it lies.";
     QTest::newRow("pinned-twice") << true
                                   << "pinned-twice.toile:96: pins[1].vertex: pin \"n2\": The point \"v4\" of the piece "
                                      "\"Front\" is pinned twice.";
@@ -181,7 +185,7 @@ void tst_CheckFile::aBrokenDocumentGetsOneLine() {
 }
 
 void tst_CheckFile::everyBrokenDocumentIsListed() {
-    QCOMPARE(QDir(brokenFolder()).entryList({"*.toile"}).size(), 39);
+    QCOMPARE(QDir(brokenFolder()).entryList({"*.toile"}).size(), 40);
 }
 
 void tst_CheckFile::aFileOfAnUnknownKindIsRefused() {

@@ -24,6 +24,7 @@ private slots:
     void laidOutPiecesDoNotCoverEachOther();
     void valuesWithoutSenseAreRefused();
     void aVertexIsPinnedOnce();
+    void aPinIsSetToTheBody();
     void cornersOfARectangleAreRight();
     void aCornerIsMeasuredOnTheSideOfTheCloth();
     void aMirrorImageIsCongruentAndCounterClockwise();
@@ -115,6 +116,23 @@ void tst_PatternPieces::aVertexIsPinnedOnce() {
     const Pattern pinned = *addPin(tests::twoPanels(), image, VertexId("v3"), ids);
     QCOMPARE(pinned.pins.size(), std::size_t(2));
     QVERIFY(*removePin(pinned, pinned.pins[1].id) == tests::twoPanels());
+}
+
+void tst_PatternPieces::aPinIsSetToTheBody() {
+    const Pattern inSpace = tests::twoPanels(), toBody = *setPinToBody(inSpace, inSpace.pins[0].id, true);
+    QVERIFY(toBody.pins[0].toBody && toBody != inSpace);
+    QVERIFY(*setPinToBody(toBody, toBody.pins[0].id, false) == inSpace);
+    QVERIFY(!setPinToBody(inSpace, PinId("nobody"), true));
+
+    const auto remarks = [](const Pattern& pattern) {
+        std::vector<std::string> places;
+        for (const Problem& problem : checkPattern(pattern))
+            if (problem.text.find("is frozen") != std::string::npos && !problem.isError)
+                places.push_back(problem.place.path);
+        return places;
+    };
+    QVERIFY(remarks(toBody).empty() && remarks(*setFrozen(inSpace, front, true)).empty());
+    QCOMPARE(remarks(*setFrozen(toBody, front, true)), std::vector<std::string>{"pins[0].toBody"});
 }
 
 void tst_PatternPieces::cornersOfARectangleAreRight() {
