@@ -223,6 +223,11 @@ void tst_DetailTools::theVertexSheetPins() {
     use<FlagRow>(hand, corner, QStringLiteral("pinned"), true);
     QCOMPARE(hand.document.pattern.pins.size(), std::size_t(1));
     QCOMPARE(hand.document.pattern.pins[0].vertex, corner.vertex);
+    QVERIFY(!hand.document.pattern.pins[0].toBody);
+    use<FlagRow>(hand, corner, QStringLiteral("pinnedToBody"), true);
+    QVERIFY(hand.document.pattern.pins[0].toBody);
+    use<FlagRow>(hand, corner, QStringLiteral("pinnedToBody"), false);
+    QVERIFY(!hand.document.pattern.pins[0].toBody);
     use<FlagRow>(hand, corner, QStringLiteral("pinned"), false);
     QVERIFY(hand.document.pattern.pins.empty());
 }

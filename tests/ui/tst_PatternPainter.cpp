@@ -92,9 +92,12 @@ void tst_PatternPainter::pinsAreSeenAlsoWhilePointsAre() {
     document::Document document = twoRectangles();
     const pattern::Piece& piece = *document.pattern.pieces[0];
     document.pattern.pins.push_back({pattern::PinId("n1"), piece.id, piece.outline.vertices[2].id});
+    document::Document toBody = document;
+    toBody.pattern.pins[0].toBody = true;
     for (const bool points : {false, true}) {
         PatternLook look;
         look.vertices = points;
+        QVERIFY(different(paintedImage(toBody, {}, {}, {}, look), paintedImage(document, {}, {}, {}, look)) > 80);
         QVERIFY(different(paintedImage(document, {}, {}, {}, look), paintedImage(twoRectangles(), {}, {}, {}, look)) >
                 80);
     }

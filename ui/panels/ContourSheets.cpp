@@ -149,7 +149,11 @@ PropertySheet vertexSheet(const Desk& desk, const VertexRef& ref) {
                                                           : Result<Pattern>(p);
                                       });
                                   }},
-                          tr("Held at its starting place while time runs.")});
+                          tr("Held where it lies while time runs.")});
+    if (pinned)
+        sheet.rows.push_back({QStringLiteral("pinnedToBody"), tr("Pinned to the body"),
+                              FlagRow{pin->toBody, setting(*pinned, setPinToBody)},
+                              tr("Where the body moves it is carried along, instead of staying where it is.")});
     if (piece->piece.mirror) return sheet;
     const Vec2 at = *position - piece->piece.tablePosition;
     const auto row = [&](const char* name, const QString& label, double value, bool isX) {

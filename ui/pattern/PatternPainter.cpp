@@ -246,12 +246,15 @@ void paintPoints(QPainter& painter, const ViewTransform& view, const PatternPict
         }
 }
 
+/// A ring; two for a pin to the body.
 void paintPins(QPainter& painter, const ViewTransform& view, const PatternPicture& picture) {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colours::warning, 2.4));
     for (const Pin& pin : picture.pattern.pins)
-        if (const auto at = positionOf(picture.flat, VertexRef{pin.piece, pin.vertex}))
+        if (const auto at = positionOf(picture.flat, VertexRef{pin.piece, pin.vertex})) {
             painter.drawEllipse(view.toScreen(*at), 7, 7);
+            if (pin.toBody) painter.drawEllipse(view.toScreen(*at), 11, 11);
+        }
 }
 
 void paint(QPainter& painter, const ViewTransform& view, const PatternPicture& picture) {
