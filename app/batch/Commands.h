@@ -33,19 +33,20 @@ struct SewOptions {
     std::string file, avatar;
     std::optional<double> spacing; ///< [m]
     std::optional<pattern::LineRule> rule;
-    std::optional<double> seconds;   ///< [s]; absent = until rest
-    bool refine = false;             ///< sews on the document's own mesh first
-    bool selfContact = false;        ///< also where the document does not ask for it
-    double limit = 20;               ///< [s]
-    double hold = 10;                ///< after rest, of garments without a neck opening [s]
-    std::optional<double> timeLimit; ///< by the clock on the wall, after which the run ends wherever it is [s]
-    std::optional<double> step;      ///< frame step [s]
-    std::optional<int> substeps;     ///< 0 = chosen from the mesh; absent = as the document says
-    std::string method = "xpbd";     ///< a name of sewMethods()
-    bool paper = false;              ///< the method of the 2002 paper end to end
-    bool arrange = false;            ///< pieces that would start in the body are moved out of it
-    bool strict = false;             ///< refuses a start that overlaps the body or itself
-    int threads = 0;                 ///< 0 = one for each core
+    std::optional<double> seconds;     ///< [s]; absent = until rest
+    bool refine = false;               ///< sews on the document's own mesh first
+    bool selfContact = false;          ///< also where the document does not ask for it
+    double limit = 20;                 ///< [s]
+    double hold = 10;                  ///< after rest, of garments without a neck opening [s]
+    std::optional<double> timeLimit;   ///< by the clock on the wall, after which the run ends wherever it is [s]
+    std::optional<double> step;        ///< frame step [s]
+    std::optional<int> substeps;       ///< 0 = chosen from the mesh; absent = as the document says
+    std::string method = "xpbd";       ///< a name of sewMethods()
+    bool paper = false;                ///< the method of the 2002 paper end to end
+    bool arrange = false;              ///< pieces that would start in the body are moved out of it
+    bool strict = false;               ///< refuses a start that overlaps the body or itself
+    int threads = 0;                   ///< 0 = one for each core
+    std::optional<std::size_t> memory; ///< that the simulation may take [B]; absent = what the machine can give
     std::string out, report;
     std::string resume;     ///< checkpoint to go on from; empty = from the start
     std::string checkpoint; ///< written at the end, also of a run that is stopped; empty = none

@@ -52,6 +52,7 @@ void applyOptions(OpenedScene& opened, const SewOptions& options) {
     simulation::Scene& scene = opened.scene;
     scene.settings.selfContact |= options.selfContact;
     scene.paper = options.paper;
+    scene.memory = options.memory;
     if (options.step) scene.settings.frameStep = *options.step;
     if (options.arrange && scene.body) scene.pattern = simulation::startingClearOf(scene.pattern, **scene.body);
     for (const auto& piece : scene.pattern.pieces)

@@ -120,6 +120,12 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
     command->add_flag("--strict", options->strict, "refuse a garment that starts in the body or in itself");
     command->add_option("--threads", options->threads, "threads to use at most; all cores by default")
         ->check(CLI::Range(1, 1024));
+    command
+        ->add_option_function<double>(
+            "--memory",
+            [options](const double& megabytes) { options->memory = static_cast<std::size_t>(1e6 * megabytes); },
+            "megabytes that the simulation may take; what the machine can give by default")
+        ->check(CLI::Range(1.0, 1e9));
     command->add_flag("--deterministic")->description("the same result whatever the number of threads; it always is");
     command
         ->add_option_function<double>(

@@ -2,7 +2,9 @@
 #include "core/dynamics/BlockCholesky.h"
 
 #include "core/base/Contracts.h"
+#include "core/base/Memory.h"
 
+#include <algorithm>
 #include <cholmod.h>
 #include <initializer_list>
 
@@ -36,6 +38,12 @@ struct BlockCholesky::Factor {
         common.nmethods = 0;
         for (const int kind : kinds) common.method[common.nmethods++].ordering = kind;
     }
+    [[nodiscard]] bool failed() const { return common.status < CHOLMOD_OK; } // warnings are above
+    /// Values in double precision and, for statics, once more in single; both with their rows.
+    [[nodiscard]] std::size_t neededBytes() const {
+        if (!factor || !factor->is_super) return static_cast<std::size_t>(12 * std::max(common.lnz, 1.0));
+        return 12 * factor->xsize + 8 * factor->ssize + sizeof(double) * factor->maxcsize;
+    }
     void clear() {
         if (factor) cholmod_free_factor(&factor, &common);
         if (matrix) cholmod_free_sparse(&matrix, &common);
@@ -46,16 +54,44 @@ struct BlockCholesky::Factor {
     cholmod_factor* factor = nullptr;
 };
 
-BlockCholesky::BlockCholesky(int blocks) : BlockMatrix(blocks), factor_(std::make_unique<Factor>()) {}
+BlockCholesky::BlockCholesky(int blocks, std::optional<std::size_t> factorBytes)
+    : BlockMatrix(blocks), factor_(std::make_unique<Factor>()), factorBytes_(factorBytes) {}
 BlockCholesky::~BlockCholesky() = default;
 
-void BlockCholesky::analyse() {
+/// The machine's memory is not taken to its end: vectors want some, and others meanwhile.
+std::size_t BlockCholesky::factorRoom() const {
+    constexpr double share = 0.9;
+    if (factorBytes_) return *factorBytes_;
+    return static_cast<std::size_t>(share * static_cast<double>(availableMemory()));
+}
+
+bool BlockCholesky::refuse() {
+    refused_ = factor_->neededBytes();
+    factor_->clear();
+    return false;
+}
+
+bool BlockCholesky::analyse() {
     Factor& f = *factor_;
     f.clear();
+    f.common.status = CHOLMOD_OK;
+    if (!prepareMatrix()) return refuse();
+    auto order = orderOfBlocks();
+    if (!order) return refuse();
+    f.orderBy({CHOLMOD_GIVEN});
+    f.factor = cholmod_analyze_p(f.matrix, order->data(), nullptr, 0, &f.common);
+    if (f.failed() || !f.factor || f.neededBytes() > factorRoom()) return refuse();
+    analysedBlocks_ = pattern().size();
+    ++analyses_;
+    return true;
+}
+
+bool BlockCholesky::prepareMatrix() {
+    Factor& f = *factor_;
     const std::size_t n = 3 * static_cast<std::size_t>(blockCount());
     const std::size_t entries = 9 * pattern().size() - 3 * static_cast<std::size_t>(blockCount());
     f.matrix = cholmod_allocate_sparse(n, n, entries, 1, 1, -1, CHOLMOD_REAL, &f.common);
-    expects(f.matrix != nullptr, "memory for the matrix");
+    if (!f.matrix) return false;
     auto* const columns = static_cast<int*>(f.matrix->p);
     auto* const rows = static_cast<int*>(f.matrix->i);
     int entry = 0;
@@ -73,21 +109,17 @@ void BlockCholesky::analyse() {
         begin = end;
     }
     columns[n] = entry;
-    std::vector<int> order = orderOfBlocks();
-    f.orderBy({CHOLMOD_GIVEN});
-    f.factor = cholmod_analyze_p(f.matrix, order.data(), nullptr, 0, &f.common);
-    expects(f.factor != nullptr, "memory for the factor");
-    analysedBlocks_ = pattern().size();
-    ++analyses_;
+    return true;
 }
 
 /// Rows of a block stay together: the order is found for blocks, of which there are a ninth as many places. Of two
 /// kinds of order the one that fills less is taken; dissection, where it is there, also leaves subtrees to share out.
-std::vector<int> BlockCholesky::orderOfBlocks() {
+/// Absent without the memory for it.
+std::optional<std::vector<int>> BlockCholesky::orderOfBlocks() {
     Factor& f = *factor_;
     const std::size_t n = blockCount();
     cholmod_sparse* blocks = cholmod_allocate_sparse(n, n, pattern().size(), 1, 1, -1, CHOLMOD_PATTERN, &f.common);
-    expects(blocks != nullptr, "memory for the pattern");
+    if (!blocks) return std::nullopt;
     auto* const columns = static_cast<int*>(blocks->p);
     auto* const rows = static_cast<int*>(blocks->i);
     int column = 0;
@@ -98,12 +130,12 @@ std::vector<int> BlockCholesky::orderOfBlocks() {
     columns[n] = static_cast<int>(pattern().size());
     f.orderBy({CHOLMOD_AMD, CHOLMOD_METIS});
     cholmod_factor* ordered = cholmod_analyze(blocks, &f.common);
-    expects(ordered != nullptr, "memory for the order");
     std::vector<int> order;
-    for (std::size_t b = 0; b < n; ++b)
+    for (std::size_t b = 0; ordered && b < n; ++b)
         for (int k = 0; k < 3; ++k) order.push_back(3 * static_cast<const int*>(ordered->Perm)[b] + k);
-    cholmod_free_factor(&ordered, &f.common);
     cholmod_free_sparse(&blocks, &f.common);
+    if (!ordered) return std::nullopt;
+    cholmod_free_factor(&ordered, &f.common);
     return order;
 }
 
@@ -125,27 +157,30 @@ void BlockCholesky::writeValues(std::span<const double> shift) {
 bool BlockCholesky::factorize(std::span<const double> shift) {
     expects(static_cast<int>(shift.size()) == blockCount(), "one shift per block");
     settlePattern();
-    if (pattern().size() != analysedBlocks_) analyse();
+    if (refused_ > 0 || (pattern().size() != analysedBlocks_ && !analyse())) return false;
     writeValues(shift);
     ++factorizations_;
     Factor& f = *factor_;
     f.stayOnOneThread();
     f.common.status = CHOLMOD_OK;
     cholmod_factorize(f.matrix, f.factor, &f.common);
+    if (f.failed()) return refuse();
     return f.common.status == CHOLMOD_OK && f.factor->minor == f.factor->n;
 }
 
-std::vector<Vec3> BlockCholesky::solve(std::span<const Vec3> b) {
+std::optional<std::vector<Vec3>> BlockCholesky::solve(std::span<const Vec3> b) {
     Factor& f = *factor_;
     const std::size_t n = 3 * b.size();
     cholmod_dense* right = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &f.common);
-    expects(right != nullptr, "memory for a vector");
-    for (std::size_t i = 0; i < n; ++i) static_cast<double*>(right->x)[i] = b[i / 3][static_cast<int>(i % 3)];
-    cholmod_dense* solution = cholmod_solve(CHOLMOD_A, f.factor, right, &f.common);
-    expects(solution != nullptr, "memory for a vector");
+    for (std::size_t i = 0; right && i < n; ++i) static_cast<double*>(right->x)[i] = b[i / 3][static_cast<int>(i % 3)];
+    cholmod_dense* solution = right ? cholmod_solve(CHOLMOD_A, f.factor, right, &f.common) : nullptr;
+    cholmod_free_dense(&right, &f.common);
+    if (!solution) {
+        (void)refuse();
+        return std::nullopt;
+    }
     std::vector<Vec3> x(b.size());
     for (std::size_t i = 0; i < n; ++i) x[i / 3][static_cast<int>(i % 3)] = static_cast<double*>(solution->x)[i];
-    cholmod_free_dense(&right, &f.common);
     cholmod_free_dense(&solution, &f.common);
     return x;
 }

@@ -38,7 +38,7 @@ void precondition(const std::vector<Block>& inverses, std::span<const Vec3> r, s
 } // namespace
 
 GradientReport conjugateGradient(const BlockMatrix& matrix, std::span<const double> shift, std::span<const Vec3> b,
-                                 double tolerance, int maximumIterations, std::vector<Vec3>& x) {
+                                 double tolerance, int maximumIterations, std::vector<Vec3>& x, std::stop_token stop) {
     GradientReport report;
     x.assign(b.size(), {});
     const std::vector<Block> inverses = invertedDiagonal(matrix, shift);
@@ -48,7 +48,8 @@ GradientReport conjugateGradient(const BlockMatrix& matrix, std::span<const doub
     p = z;
     double rz = dotOf(r, z);
     for (; largestOf(r) > tolerance; ++report.iterations) {
-        if (report.iterations == maximumIterations) return {GradientEnd::tooMany, report.iterations};
+        if (report.iterations == maximumIterations || stop.stop_requested())
+            return {GradientEnd::tooMany, report.iterations};
         matrix.multiply(shift, p, ap);
         const double curvature = dotOf(p, ap);
         if (!(curvature > 0)) return {GradientEnd::indefinite, report.iterations};

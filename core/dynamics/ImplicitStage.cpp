@@ -6,10 +6,10 @@
 namespace toile::dynamics {
 
 ImplicitStage::ImplicitStage(const cloth::ClothModel& model, const ImplicitSettings& settings)
-    : model_(model), damping_(settings.damping),
-      minimiser_(model, {.tolerance = settings.tolerance,
-                         .maximumIterations = settings.maximumIterations,
-                         .gradientIterations = settings.gradientIterations}) {}
+    : model_(model), damping_(settings.damping), minimiser_(model, {.tolerance = settings.tolerance,
+                                                                    .maximumIterations = settings.maximumIterations,
+                                                                    .gradientIterations = settings.gradientIterations,
+                                                                    .factorBytes = settings.factorBytes}) {}
 
 double ImplicitStage::inertiaOf(double span) const {
     return (1 + damping_ * span) / (span * span);
@@ -45,6 +45,7 @@ Result<void> ImplicitStage::solve(ParticleState& state, const Known& known, cons
     report.newtonIterations += newton->iterations;
     report.factorizations += newton->factorizations;
     report.gradientIterations += newton->gradientIterations;
+    report.refusedFactor = std::max(report.refusedFactor, newton->refusedFactor);
     report.residual = std::max(report.residual, newton->residual);
     report.accurate = report.accurate && newton->converged;
     return {};
@@ -60,6 +61,8 @@ Result<void> ImplicitStage::solveLinearised(ParticleState& state, const Known& k
     report.newtonIterations += 1;
     report.factorizations += newton->factorizations;
     report.gradientIterations += newton->gradientIterations;
+    report.refusedFactor = std::max(report.refusedFactor, newton->refusedFactor);
+    report.accurate = report.accurate && newton->converged;
     return {};
 }
 

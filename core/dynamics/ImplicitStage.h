@@ -11,7 +11,8 @@ struct ImplicitSettings {
     double tolerance = 1e-4;      ///< largest unsolved force of a stage over the mean particle weight [–]
     int maximumIterations = 60;   ///< Newton iterations of a stage; then the step is halved
     int gradientIterations = 200; ///< of conjugate gradients in a solve, before the factor takes over; 0 = factor only
-    int halvings = 6;             ///< of a step whose stages are not solved; after that it is accepted with a flag
+    std::optional<std::size_t> factorBytes = {}; ///< MinimiserSettings
+    int halvings = 6; ///< of a step whose stages are not solved; after that it is accepted with a flag
 };
 
 /// The one equation of all implicit methods: find X with velocity V = (X − X*)/s where V = V* + s·(a(X) −
@@ -31,7 +32,8 @@ public:
     /// = false.
     [[nodiscard]] Result<void> solve(ParticleState& state, const Known& known, const Vec3& gravity,
                                      std::span<Stage* const> stages, std::stop_token stop, StepReport& report);
-    /// One Newton iteration from the start with a full step: the linearised equation.
+    /// One Newton iteration from the start with a full step: the linearised equation. Not solved → report.accurate =
+    /// false.
     [[nodiscard]] Result<void> solveLinearised(ParticleState& state, const Known& known, const Vec3& gravity,
                                                std::span<Stage* const> stages, StepReport& report);
     /// What the last stage's cloth lets pass of a change of positions, for stages of that span [s].

@@ -27,6 +27,7 @@ StepReport& StepReport::operator+=(const StepReport& more) {
     newtonIterations += more.newtonIterations;
     factorizations += more.factorizations;
     gradientIterations += more.gradientIterations;
+    refusedFactor = std::max(refusedFactor, more.refusedFactor);
     repeated += more.repeated;
     accurate = accurate && more.accurate;
     residual = std::max(residual, more.residual);

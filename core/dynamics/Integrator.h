@@ -16,13 +16,14 @@ namespace toile::dynamics {
 
 /// What a step took.
 struct StepReport {
-    int parts = 1;              ///< into which the step was divided
-    int newtonIterations = 0;   ///< of implicit methods
-    int factorizations = 0;     ///< direct ones
-    int gradientIterations = 0; ///< of conjugate gradients
-    int repeated = 0;           ///< parts that failed and were made again, smaller or by a safer method
-    bool accurate = true;       ///< false: a part at the smallest step missed its tolerance and was taken as it was
-    double residual = 0;        ///< largest unsolved force of a part over the mean particle weight [–]
+    int parts = 1;                 ///< into which the step was divided
+    int newtonIterations = 0;      ///< of implicit methods
+    int factorizations = 0;        ///< direct ones
+    int gradientIterations = 0;    ///< of conjugate gradients
+    std::size_t refusedFactor = 0; ///< what a factor would have taken that did not fit in memory [B]; 0 = all did
+    int repeated = 0;              ///< parts that failed and were made again, smaller or by a safer method
+    bool accurate = true;          ///< false: a part at the smallest step missed its tolerance and was taken as it was
+    double residual = 0;           ///< largest unsolved force of a part over the mean particle weight [–]
 
     StepReport& operator+=(const StepReport& more);
 };

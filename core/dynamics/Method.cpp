@@ -52,7 +52,8 @@ std::unique_ptr<Integrator> makeIntegrator(Method method, const cloth::ClothMode
                                            const IntegratorSettings& settings) {
     const ImplicitSettings implicit{.damping = settings.damping,
                                     .tolerance = settings.tolerance,
-                                    .gradientIterations = settings.gradientIterations};
+                                    .gradientIterations = settings.gradientIterations,
+                                    .factorBytes = settings.factorBytes};
     const auto rungeKutta = [&](const ButcherTableau& tableau) {
         return std::make_unique<ImplicitRungeKutta>(model, tableau, implicit);
     };

@@ -15,6 +15,16 @@ namespace {
 
 constexpr const char* nothingHolds = "The stiffness matrix is singular: nothing holds the cloth.";
 
+/// Why there is no step.
+tl::unexpected<Error> stepless(const BlockSolver& solver) {
+    if (solver.refused() == 0) return fail(ErrorCode::notConverged, nothingHolds);
+    return fail(ErrorCode::tooLarge,
+                fmt::format("The factor of the linear system would take {:.3g} MB, which is more than can be had, and "
+                            "conjugate gradients do not solve it without: choose a larger spacing, or allow more "
+                            "memory.",
+                            1e-6 * static_cast<double>(solver.refused())));
+}
+
 /// Friction is fixed anew when the residual has fallen to this part of what it was then [–].
 constexpr double frictionEvery = 0.1;
 
@@ -26,7 +36,7 @@ bool allFinite(std::span<const Vec3> values) {
 class Run {
 public:
     Run(const Potential& potential, BlockSolver& solver, const MinimiserSettings& settings, std::stop_token stop)
-        : potential_(potential), settings_(settings), stop_(stop),
+        : potential_(potential), solver_(solver), settings_(settings), stop_(stop),
           steps_(stepsFor(potential, solver, settings.tolerance, std::move(stop))) {}
 
     Result<MinimiserReport> minimise(std::span<Vec3> x, const Progress& progress);
@@ -41,6 +51,7 @@ private:
     void judgeLast(double energyNow);
 
     const Potential& potential_;
+    const BlockSolver& solver_;
     const MinimiserSettings& settings_;
     std::stop_token stop_;
     std::unique_ptr<NewtonSteps> steps_;
@@ -138,7 +149,7 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, const Progress& progres
         lastResidual = residual;
         const std::optional<TrustedStep> step = steps_->stepAt(x, now.forces, tolerance, log);
         if (stop_.stop_requested()) return stopped(); // the step is of no use
-        if (!step) return fail(ErrorCode::notConverged, nothingHolds);
+        if (!step) return stepless(solver_);
         out.gradientIterations += log.gradientIterations;
         if (advance(x, now, *step, log)) {
             failures = 0;
@@ -159,7 +170,7 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, const Progress& progres
 
 struct Minimiser::Data {
     Data(const cloth::ClothModel& m, MinimiserSettings s)
-        : model(m), settings(s), eliminated(m), solver(eliminated.count(), s.gradientIterations) {
+        : model(m), settings(s), eliminated(m), solver(eliminated.count(), s.gradientIterations, s.factorBytes) {
         for (int particle : eliminated.free()) mass.push_back(m.mass[particle]);
     }
 
@@ -173,20 +184,22 @@ struct Minimiser::Data {
         analyses = solver.analyses();
         factorizations = solver.factorizations();
         gradientIterations = solver.gradientIterations();
+        unsolved = solver.unsolved();
         return {};
     }
     void count(MinimiserReport& report) const {
         report.analyses = solver.analyses() - analyses;
         report.factorizations = solver.factorizations() - factorizations;
         report.gradientIterations += solver.gradientIterations() - gradientIterations;
+        report.refusedFactor = solver.refused();
     }
 
     const cloth::ClothModel& model;
     MinimiserSettings settings;
     Eliminated eliminated;
     BlockSolver solver;
-    std::vector<double> mass;                                     ///< of the unknowns [kg]
-    int analyses = 0, factorizations = 0, gradientIterations = 0; ///< of the solver before this run
+    std::vector<double> mass;                                                   ///< of the unknowns [kg]
+    int analyses = 0, factorizations = 0, gradientIterations = 0, unsolved = 0; ///< of the solver before this run
 };
 
 Minimiser::Minimiser(const cloth::ClothModel& model, MinimiserSettings settings)
@@ -214,7 +227,7 @@ Result<MinimiserReport> Minimiser::minimise(std::span<Vec3> positions, const Min
 Result<MinimiserReport> Minimiser::iterateOnce(std::span<Vec3> positions, const MinimiserProblem& problem) {
     Data& d = *data_;
     if (auto ready = d.begin(positions, problem); !ready) return tl::unexpected(ready.error());
-    if (d.eliminated.count() == 0) return MinimiserReport{};
+    if (d.eliminated.count() == 0) return MinimiserReport{.converged = true};
     const Potential potential(d.model, d.eliminated, d.mass, problem);
     for (Stage* stage : problem.stages) stage->fixFriction(positions);
     for (Stage* stage : problem.stages) stage->beginIteration(positions);
@@ -223,9 +236,9 @@ Result<MinimiserReport> Minimiser::iterateOnce(std::span<Vec3> positions, const 
         return fail(ErrorCode::notConverged, fmt::format("The force on particle {} is no number.", now.worst));
     const double tolerance = std::min(1e-6 * now.largest, d.settings.tolerance * potential.forceScale());
     const auto step = ShiftedSteps(potential, d.solver).projectedAt(positions, now.forces, tolerance);
-    if (!step) return fail(ErrorCode::notConverged, nothingHolds);
+    if (!step) return stepless(d.solver);
     potential.moveTo(positions, std::vector<Vec3>(positions.begin(), positions.end()), *step, 1);
-    MinimiserReport report{.iterations = 1};
+    MinimiserReport report{.converged = d.solver.unsolved() == d.unsolved, .iterations = 1};
     d.count(report);
     return report;
 }

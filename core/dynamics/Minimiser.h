@@ -7,6 +7,7 @@
 #include "core/dynamics/Stage.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -21,6 +22,8 @@ struct MinimiserSettings {
                                 ///< Implicit steps without stages go as far as they like
     int gradientIterations = 0; ///< of conjugate gradients at most, before the factor takes over; 0 = factor only.
                                 ///< Of implicit steps: statics has its own rule
+    std::optional<std::size_t> factorBytes = {}; ///< that a factor may take, else conjugate gradients go on alone [B];
+                                                 ///< absent = what the machine can give
 };
 
 /// Φ(x) = ½c|x − y|²_M + E(x) − Σ m g·x plus the energies of the stages.
@@ -48,7 +51,8 @@ struct MinimiserReport {
     double residualFloor = 0; ///< what rounding allows: 8·eps·(k_max + c·m_max)·L over mean particle weight [–]
     int worstParticle = -1;   ///< where the residual is largest
     int iterations = 0, factorizations = 0, analyses = 0;
-    int gradientIterations = 0; ///< of conjugate gradients
+    int gradientIterations = 0;    ///< of conjugate gradients
+    std::size_t refusedFactor = 0; ///< what a factor would have taken that did not fit in memory [B]; 0 = all did
     std::vector<MinimiserIteration> log;
 };
 
@@ -64,11 +68,11 @@ public:
     Minimiser& operator=(Minimiser&&) noexcept;
     ~Minimiser();
 
-    /// positions: start and result. Errors: cancelled, a number that is not finite, a singular system. Not
-    /// reaching the tolerance is no error: see the report.
+    /// positions: start and result. Errors: cancelled, a number that is not finite, a singular system, one
+    /// too large to solve. Not reaching the tolerance is no error: see the report.
     [[nodiscard]] Result<MinimiserReport> minimise(std::span<Vec3> positions, const MinimiserProblem& problem,
                                                    std::stop_token stop = {}, const Progress& progress = {});
-    /// One full Newton step with the projected Hessian, wherever it leads.
+    /// One full Newton step with the projected Hessian, wherever it leads. Converged: its linear system was solved.
     [[nodiscard]] Result<MinimiserReport> iterateOnce(std::span<Vec3> positions, const MinimiserProblem& problem);
     /// Replaces positions by the others if Φ is lower there; pinned particles stay.
     void takeBetter(std::span<Vec3> positions, std::span<const Vec3> others, const MinimiserProblem& problem) const;

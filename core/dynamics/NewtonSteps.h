@@ -62,7 +62,7 @@ private:
 };
 
 /// Of many particles' statics: by the exact Hessian as far as it is trusted. It is only multiplied by; what is factored
-/// is the projected one, seldom.
+/// is the projected one, seldom; where its factor is refused, shifted steps go on without.
 class TrustedSteps : public NewtonSteps {
 public:
     /// leastForce: below which no solution need bring the residual [N].
@@ -80,10 +80,11 @@ private:
     BlockSolver& solver_;
     double leastForce_;
     std::stop_token stop_;
-    double radius_ = 0;              ///< as far as a model is trusted, √(sᵀPs); 0 before the first step
-    BlockMatrix exact_;              ///< H, whose projected form the solver's factor is of
-    RoundedFactor preconditioner_;   ///< that factor
-    int served_ = 0, gradients_ = 0; ///< iterations of this factor, conjugate gradients of the last
+    double radius_ = 0;                   ///< as far as a model is trusted, √(sᵀPs); 0 before the first step
+    BlockMatrix exact_;                   ///< H, whose projected form the solver's factor is of
+    RoundedFactor preconditioner_;        ///< that factor
+    std::optional<ShiftedSteps> without_; ///< once it is refused
+    int served_ = 0, gradients_ = 0;      ///< iterations of this factor, conjugate gradients of the last
     bool factored_ = false;
 };
 

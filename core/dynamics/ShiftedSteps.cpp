@@ -68,7 +68,7 @@ ShiftedSteps::Solution ShiftedSteps::projectedAt(std::span<const Vec3> x, std::s
 ShiftedSteps::Solution ShiftedSteps::solved(std::span<const Vec3> forces, double tolerance) {
     std::vector<double> shift(potential_.mass().size());
     for (std::size_t u = 0; u < shift.size(); ++u) shift[u] = (potential_.inertia() + shift_) * potential_.mass()[u];
-    return solver_.solve(shift, forces, tolerance);
+    return solver_.solve(shift, forces, tolerance, stop_);
 }
 
 void ShiftedSteps::judge(const TakenStep& last, double surprise, double gain) {

@@ -28,10 +28,15 @@ TrustedSteps::TrustedSteps(const Potential& potential, BlockSolver& solver, doub
     : potential_(potential), solver_(solver), leastForce_(leastForce), stop_(std::move(stop)),
       exact_(static_cast<int>(potential.mass().size())) {}
 
-std::optional<TrustedStep> TrustedSteps::stepAt(std::span<const Vec3> x, std::span<const Vec3> forces, double,
+std::optional<TrustedStep> TrustedSteps::stepAt(std::span<const Vec3> x, std::span<const Vec3> forces, double tolerance,
                                                 MinimiserIteration& log) {
+    if (without_) return without_->stepAt(x, forces, tolerance, log);
     if (!factored_ || served_ >= factorServes || gradients_ > manyGradients)
-        if (!factoredAt(x)) return std::nullopt;
+        if (!factoredAt(x)) {
+            if (solver_.refused() == 0) return std::nullopt;
+            without_.emplace(potential_, solver_, stop_);
+            return without_->stepAt(x, forces, tolerance, log);
+        }
     ++served_;
     potential_.assemble(x, cloth::HessianForm::exact, exact_);
     exact_.settlePattern();
@@ -50,7 +55,10 @@ bool TrustedSteps::factoredAt(std::span<const Vec3> x) {
     double inertia = leastInertia;
     for (int attempt = 0; attempt < 12 && !stop_.stop_requested(); ++attempt, inertia *= 10) {
         for (std::size_t u = 0; u < shift.size(); ++u) shift[u] = inertia * potential_.mass()[u];
-        if (!solver_.matrix().factorize(shift)) continue;
+        if (!solver_.matrix().factorize(shift)) {
+            if (solver_.refused() > 0) return false;
+            continue;
+        }
         preconditioner_.take(solver_.matrix().factor());
         served_ = 0;
         factored_ = true;
@@ -60,6 +68,7 @@ bool TrustedSteps::factoredAt(std::span<const Vec3> x) {
 }
 
 void TrustedSteps::judge(const TakenStep& last, double surprise, double gain) {
+    if (without_) return without_->judge(last, surprise, gain);
     if (surprise > 2 * last.expected) radius_ = 0.1 * last.norm;
     else if (gain < 0.25) radius_ = 0.4 * last.norm;
     else if (last.cuts > 0) radius_ = last.norm;
@@ -67,6 +76,7 @@ void TrustedSteps::judge(const TakenStep& last, double surprise, double gain) {
 }
 
 void TrustedSteps::trustLess() {
+    if (without_) return without_->trustLess();
     radius_ *= 1e-2;
     factored_ = false;
 }

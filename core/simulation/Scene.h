@@ -5,6 +5,7 @@
 #include "core/body/Landmarks.h"
 #include "core/pattern/Pattern.h"
 
+#include <cstddef>
 #include <optional>
 
 namespace toile::simulation {
@@ -37,6 +38,7 @@ struct Scene {
     std::optional<Shared<body::Body>> body;
     SceneSettings settings;
     bool paper = false; ///< the method of the 2002 paper from end to end, to compare with (docs/physics/paper.md)
+    std::optional<std::size_t> memory = {}; ///< that it may take [B]; absent = what the machine can give
     friend bool operator==(const Scene&, const Scene&) = default;
 };
 

@@ -2,6 +2,7 @@
 #include "core/simulation/SceneParts.h"
 
 #include "core/simulation/SceneCheck.h"
+#include "core/simulation/SceneMemory.h"
 
 namespace toile::simulation {
 namespace {
@@ -26,6 +27,7 @@ Result<Garment> flatGarment(const Scene& scene, const MeshOverrides& overrides) 
     if (!input) return tl::unexpected(input.error());
     auto mesh = meshing::meshGarment(*input);
     if (!mesh) return tl::unexpected(mesh.error());
+    if (auto fits = checkedMemory(scene, *mesh); !fits) return tl::unexpected(fits.error());
     std::vector<bool> merged(mesh->seams.size(), false);
     return makeGarment(scene.pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), std::move(merged), scene.paper);
 }

@@ -234,6 +234,7 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     result.steps = simulation.steps();
     result.substeps = simulation.substeps();
     result.peakBytes = peakBytes();
+    result.refusedFactorBytes = simulation.refusedFactor();
     result.resultHash = resultHash(simulation);
     for (const StepPlan::StageCost& cost : simulation.stageCosts())
         result.stages.push_back({cost.name, cost.seconds, cost.bytes});

@@ -80,6 +80,7 @@ struct SewReport {
     bool atRest = false;             ///< in a scene of the paper by speed alone: its explicit steps find no equilibrium
     std::optional<double> residual;  ///< largest unbalanced force over the mean particle weight [–]
     double kineticEnergy = 0, gravityEnergy = 0, elasticEnergy = 0; ///< [J]
+    std::size_t refusedFactorBytes = 0;                             ///< as Simulation::refusedFactor
     std::size_t peakBytes = 0;                                      ///< most memory the process has held
     std::string resultHash;
     std::vector<PhaseRun> phases; ///< what each ran with

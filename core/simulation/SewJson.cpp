@@ -147,6 +147,7 @@ Json toJson(const SewReport& report) {
         .set("gravity", report.gravityEnergy)
         .set("elastic", report.elasticEnergy);
     json.set("energy", energy);
+    json.set("refusedFactorBytes", report.refusedFactorBytes);
     json.set("peakBytes", report.peakBytes).set("resultHash", report.resultHash);
     json.set("phases", listOf(report.phases, [](const PhaseRun& phase) {
                  Json item;

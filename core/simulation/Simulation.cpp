@@ -6,6 +6,7 @@
 #include "core/simulation/LayersApart.h"
 #include "core/simulation/LevelsOf.h"
 #include "core/simulation/PlanOf.h"
+#include "core/simulation/SceneMemory.h"
 #include "core/simulation/Speeds.h"
 #include "core/simulation/Topology.h"
 
@@ -236,7 +237,9 @@ void Simulation::correctByDueLevels() {
 
 std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method method) const {
     return dynamics::makeIntegrator(method, garment_->model,
-                                    {.damping = plannedDamping_, .positionTolerance = positionTolerance});
+                                    {.damping = plannedDamping_,
+                                     .factorBytes = factorBytesOf(scene_, *garment_->mesh),
+                                     .positionTolerance = positionTolerance});
 }
 
 double Simulation::damping() const {
@@ -305,6 +308,7 @@ void Simulation::note(double duration, const dynamics::StepReport& step) {
     run.seconds += duration;
     run.steps += step;
     run.unsolvedSteps += !step.accurate;
+    refusedFactor_ = std::max(refusedFactor_, step.refusedFactor);
 }
 
 Result<void> Simulation::advance(std::stop_token stop) {

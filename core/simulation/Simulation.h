@@ -171,6 +171,10 @@ public:
     /// Of the clock, in which the cloth slept: nothing drove it and nothing had moved for a second [s].
     [[nodiscard]] double sleptTime() const { return sleptTime_; }
 
+    /// What a factor would have taken that did not fit in memory, so that conjugate gradients went on alone [B]; 0 =
+    /// all did.
+    [[nodiscard]] std::size_t refusedFactor() const { return refusedFactor_; }
+
     /// Positions of all nodes, as the topology numbers them.
     [[nodiscard]] std::vector<Vec3> nodePositions() const;
     [[nodiscard]] Frame frame() const;
@@ -249,11 +253,12 @@ private:
     std::vector<double> seamStart_;             ///< when it began [s]; negative = not yet
     std::vector<TackState> tacks_;
     Phase phase_ = Phase::sewing;
-    bool goesOnAsItLay_ = false; ///< after an edit of a garment that lay: dressed as long as its seams close at once
-    double sewnTime_ = 0;        ///< when the last seam was closed or given up [s]
-    double plannedDamping_ = 0;  ///< that of the plan [1/s]
-    int plannedLevels_ = 0;      ///< coarse levels of the plan
-    bool areLevelsDue_ = false;  ///< they are to be made, or to forget, before the next step
+    bool goesOnAsItLay_ = false;    ///< after an edit of a garment that lay: dressed as long as its seams close at once
+    double sewnTime_ = 0;           ///< when the last seam was closed or given up [s]
+    double plannedDamping_ = 0;     ///< that of the plan [1/s]
+    int plannedLevels_ = 0;         ///< coarse levels of the plan
+    bool areLevelsDue_ = false;     ///< they are to be made, or to forget, before the next step
+    std::size_t refusedFactor_ = 0; ///< [B]
     int substeps_ = 0, steps_ = 0;
     double largestSpeed_ = 0, restingTime_ = 0;
     double stillTime_ = 0, sleptTime_ = 0;         ///< since when nothing moves; how long nothing was computed [s]

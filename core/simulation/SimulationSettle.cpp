@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/AirOf.h"
 #include "core/simulation/LevelsOf.h"
+#include "core/simulation/SceneMemory.h"
 #include "core/simulation/Simulation.h"
 
 #include <algorithm>
@@ -42,12 +43,15 @@ Result<dynamics::StaticReport> Simulation::settle(const dynamics::StaticSettings
         state_ = before;
         return tl::unexpected(taut.error());
     }
-    auto report = dynamics::solveStatic(garment_->model, state_, scene_.settings.gravity, plan_.stages(), settings,
-                                        stop, progress, teamWorthWaking());
+    dynamics::StaticSettings within = settings;
+    if (!within.factorBytes) within.factorBytes = factorBytesOf(scene_, *garment_->mesh);
+    auto report = dynamics::solveStatic(garment_->model, state_, scene_.settings.gravity, plan_.stages(), within, stop,
+                                        progress, teamWorthWaking());
     if (!report) {
         state_ = before;
         return report;
     }
+    refusedFactor_ = std::max(refusedFactor_, report->newton.refusedFactor);
     report->displacementMaximum = 0;
     for (std::size_t p = 0; p < state_.positions.size(); ++p)
         report->displacementMaximum =

@@ -126,6 +126,16 @@ void warnOfLimitedSteps(Warnings& warnings, const Simulation& simulation) {
                                             phase.limitedSteps, phase.method, speedLimit)});
 }
 
+void warnOfRefusedFactor(Warnings& warnings, const Simulation& simulation) {
+    if (simulation.refusedFactor() > 0)
+        warnings.push_back(
+            {"memory",
+             fmt::format("A factor of the linear system would have taken {:.3g} MB, which could not be had: conjugate "
+                         "gradients solved it alone, which takes longer and may end early. A larger spacing, or more "
+                         "memory, is what helps.",
+                         1e-6 * static_cast<double>(simulation.refusedFactor()))});
+}
+
 } // namespace
 
 std::vector<Warning> warningsOf(const Simulation& simulation, const ContactSummary& contact) {
@@ -138,6 +148,7 @@ std::vector<Warning> warningsOf(const Simulation& simulation, const ContactSumma
     warnOfUnsolvedSteps(warnings, simulation);
     warnOfRedoneSteps(warnings, simulation);
     warnOfLimitedSteps(warnings, simulation);
+    warnOfRefusedFactor(warnings, simulation);
     warnOfClothInBody(warnings, contact, simulation.scene().settings.skinOffset);
     warnOfWrongOrder(warnings, contact);
     return warnings;

@@ -2,6 +2,7 @@
 #include "core/cloth/Forces.h"
 #include "core/collision/BodySurface.h"
 #include "core/dynamics/BodyContact.h"
+#include "core/dynamics/Method.h"
 #include "core/dynamics/Statics.h"
 #include "core/dynamics/Xpbd.h"
 #include "tests/cloth/Fixtures.h"
@@ -162,6 +163,69 @@ private slots:
         QVERIFY(!report && report.error().code == ErrorCode::cancelled);
         QCOMPARE(stopper.hessiansLater, 0);
         QVERIFY(stopper.energiesLater <= 1); // where a step that was just taken has led
+    }
+
+    void withoutMemoryForAFactorTheSameRestIsFound_data() {
+        QTest::addColumn<int>("cells");
+        QTest::newRow("few particles") << 16;
+        QTest::newRow("so many that they have steps of their own") << 36;
+    }
+    /// Both leave a thousandth of the mean particle weight at most: what is soft may lie apart by a tenth of a cell.
+    void withoutMemoryForAFactorTheSameRestIsFound() {
+        QFETCH(int, cells);
+        Sheet s = sheet(wovenFabric(), 0.5, cells);
+        dynamics::Xpbd xpbd(s.model, {.damping = 3});
+        for (int frame = 0; frame < 120; ++frame) QVERIFY(xpbd.step(s.state, 1.0 / 60, 20, gravity, {}));
+        dynamics::ParticleState within = s.state;
+        const auto usual = dynamics::solveStatic(s.model, s.state, gravity, {});
+        const auto report = dynamics::solveStatic(s.model, within, gravity, {}, {.factorBytes = 10'000});
+        QVERIFY(usual && report);
+        QVERIFY(usual->newton.converged && usual->newton.refusedFactor == 0 && usual->newton.factorizations > 0);
+        QVERIFY(report->newton.refusedFactor > 10'000);
+        QCOMPARE(report->newton.factorizations, 0);
+        QVERIFY2(report->newton.converged, qPrintable(QString("residual %1").arg(report->newton.residual)));
+        double farthest = 0;
+        for (std::size_t p = 0; p < within.positions.size(); ++p)
+            farthest = std::max(farthest, distance(within.positions[p], s.state.positions[p]));
+        QVERIFY2(farthest < 0.1 * 0.5 / cells, qPrintable(QString("%1 m").arg(farthest)));
+    }
+
+    void aFactorThatFitsIsMadeUpToTheLastByte() {
+        Sheet s = sheet(wovenFabric(), 0.5, 16);
+        dynamics::ParticleState another = s.state, third = s.state;
+        const auto refused = dynamics::solveStatic(s.model, s.state, gravity, {}, {.factorBytes = 0});
+        QVERIFY(refused && refused->newton.refusedFactor > 0);
+        const std::size_t needed = refused->newton.refusedFactor;
+        const auto fits = dynamics::solveStatic(s.model, another, gravity, {}, {.factorBytes = needed});
+        const auto doesNot = dynamics::solveStatic(s.model, third, gravity, {}, {.factorBytes = needed - 1});
+        QVERIFY(fits && fits->newton.refusedFactor == 0 && fits->newton.factorizations > 0);
+        QVERIFY(doesNot && doesNot->newton.refusedFactor == needed && doesNot->newton.factorizations == 0);
+    }
+
+    void stepsInTimeGoOnWithoutAFactor_data() {
+        QTest::addColumn<dynamics::Method>("method");
+        for (const auto method : {dynamics::Method::backwardEuler, dynamics::Method::trBdf2, dynamics::Method::bdf2,
+                                  dynamics::Method::baraffWitkin})
+            QTest::newRow(dynamics::nameOf(method).data()) << method;
+    }
+    /// Conjugate gradients that may take none before the factor takes over always ask for it.
+    void stepsInTimeGoOnWithoutAFactor() {
+        QFETCH(dynamics::Method, method);
+        Sheet s = sheet(wovenFabric(), 0.5, 16);
+        dynamics::ParticleState within = s.state;
+        const auto usual = dynamics::makeIntegrator(method, s.model, {.gradientIterations = 0});
+        const auto bounded = dynamics::makeIntegrator(method, s.model, {.gradientIterations = 0, .factorBytes = 0});
+        for (int step = 0; step < 10; ++step) {
+            const auto done = usual->step(s.state, 1.0 / 120, gravity),
+                       also = bounded->step(within, 1.0 / 120, gravity);
+            QVERIFY(done && also);
+            QVERIFY(done->refusedFactor == 0 && done->factorizations > 0);
+            QVERIFY(also->refusedFactor > 0 && also->factorizations == 0 && also->gradientIterations > 0);
+            QVERIFY(also->accurate);
+        }
+        // Each step leaves 1e-4 of the mean particle weight: in 1/12 s that moves a particle by a micrometre or two.
+        for (std::size_t p = 0; p < within.positions.size(); ++p)
+            QVERIFY(distance(within.positions[p], s.state.positions[p]) < 1e-5);
     }
 
     void aFlatSheetFallsIntoEquilibriumToo() {

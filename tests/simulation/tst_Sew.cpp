@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
+#include "core/simulation/SceneMemory.h"
 #include "tests/simulation/Sewn.h"
 
 #include <QTest>
@@ -52,7 +53,36 @@ private slots:
     void anOpenSeamIsWarnedOf();
     void openSeamsOfOneNameAreToldApart();
     void cellsThatCutTheBodyAreWarnedOf();
+    void aGarmentThatDoesNotFitInMemoryIsRefusedWithNumbers();
+    void aFactorThatDoesNotFitInMemoryIsWarnedOf();
 };
+
+void tst_Sew::aGarmentThatDoesNotFitInMemoryIsRefusedWithNumbers() {
+    Scene scene = curtain();
+    scene.memory = 1'000'000;
+    QVERIFY(Simulation::create(scene));
+    const auto refused = Simulation::create(scene, {.spacing = 0.001});
+    QVERIFY(!refused && refused.error().code == ErrorCode::tooLarge);
+    const auto& text = refused.error().text;
+    QVERIFY2(text.find(" nodes takes about ") != std::string::npos, text.c_str());
+    QVERIFY2(text.find("1 MB are allowed") != std::string::npos, text.c_str());
+}
+
+void tst_Sew::aFactorThatDoesNotFitInMemoryIsWarnedOf() {
+    Scene scene = curtain();
+    const auto ofMemory = [](const SewReport& report) {
+        return std::ranges::count(report.warnings, "memory", &Warning::place);
+    };
+    const SewReport usual = sewn(scene);
+    QVERIFY(usual.refusedFactorBytes == 0 && ofMemory(usual) == 0);
+    auto whole = Simulation::create(scene);
+    QVERIFY(whole);
+    scene.memory = estimatedBytes(*whole->garment().mesh); // nothing is left to a factor
+    const SewReport bounded = sewn(scene);
+    QVERIFY(bounded.refusedFactorBytes > 0);
+    QCOMPARE(ofMemory(bounded), 1);
+    QVERIFY(bounded.atRest);
+}
 
 void tst_Sew::twoSquaresReachTheirGoal() {
     const SewReport report = sewn(twoSquares(0.05));
