@@ -44,8 +44,8 @@ NearestTree::NearestTree(const geometry::TriangleMesh& mesh, const SurfaceNormal
     std::vector<int> from{0}; // the box that each node stands for
     for (std::size_t n = 0; n < from.size(); ++n) {
         Node node;
-        for (auto* bounds : {&node.low, &node.high})
-            for (auto& axis : *bounds) axis.fill(nowhere);
+        for (auto& axis : node.low) axis.fill(nowhere);
+        for (auto& axis : node.high) axis.fill(-nowhere);
         node.child.fill(-1);
         int i = 0;
         for (const int box : grandchildren(boxes, from[n])) {
@@ -65,13 +65,13 @@ NearestTree::NearestTree(const geometry::TriangleMesh& mesh, const SurfaceNormal
 }
 
 void NearestTree::moveTo(const geometry::TriangleMesh& mesh) {
+    moved_ = true;
     double farthest = 0; // coordinate
     for (const Vec3& v : mesh.vertices) farthest = std::max({farthest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     const double margin = rounding * farthest;
     for (Leaf& leaf : leaves_) {
         const auto& [a, b, c] = mesh.triangles[leaf.triangle];
         leaf.corners = {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
-        leaf.isSliver = collision::isSliver(leaf.corners);
     }
     for (std::size_t n = nodes_.size(); n-- > 0;) { // children come after their parents
         Node& node = nodes_[n];
@@ -85,10 +85,10 @@ void NearestTree::moveTo(const geometry::TriangleMesh& mesh) {
                     node.low[axis][i] = static_cast<float>(std::min({a[k], b[k], c[k]}) - margin);
                     node.high[axis][i] = static_cast<float>(std::max({a[k], b[k], c[k]}) + margin);
                 } else {
-                    const Node& below = nodes_[child]; // of a child that is missing the box is nowhere: +∞
-                    node.low[axis][i] = std::ranges::min(below.low[axis]);
-                    node.high[axis][i] = std::ranges::max(
-                        below.high[axis], {}, [](float high) { return std::isfinite(high) ? high : -high; });
+                    const auto& [p, q, r, s] = nodes_[child].low[axis];
+                    const auto& [t, u, v, w] = nodes_[child].high[axis];
+                    node.low[axis][i] = std::min(std::min(p, q), std::min(r, s));
+                    node.high[axis][i] = std::max(std::max(t, u), std::max(v, w));
                 }
             }
         }
@@ -119,8 +119,8 @@ struct NearestTree::Search {
 
     void measure(const Leaf& candidate) {
         const auto& [a, b, c] = candidate.corners;
-        const TrianglePoint there =
-            candidate.isSliver ? closestOnSliver(point, a, b, c) : closestOnTriangle(point, a, b, c);
+        const bool sliver = tree.moved_ ? collision::isSliver(candidate.corners) : candidate.isSliver;
+        const TrianglePoint there = sliver ? closestOnSliver(point, a, b, c) : closestOnTriangle(point, a, b, c);
         const double squared = squaredLength(point - there.point);
         if (squared > bestSquared || (squared == bestSquared && leaf)) return;
         leaf = &candidate;

@@ -33,18 +33,19 @@ public:
 private:
     static constexpr int width = 4;
     struct alignas(64) Node {
-        std::array<std::array<float, width>, 3> low, high; ///< by axis; of a child that is missing, nowhere
+        std::array<std::array<float, width>, 3> low, high; ///< by axis; of a child that is missing, +∞ and −∞
         std::array<int, width> child;                      ///< node, or −1 − leaf
     };
     struct Leaf {
         std::array<Vec3, 3> corners;
         int triangle = -1;
-        bool isSliver = false;
+        bool isSliver = false; ///< where the mesh was when the tree was made
     };
     struct Search;
 
     std::vector<Node> nodes_; ///< root first
     std::vector<Leaf> leaves_;
+    bool moved_ = false; ///< slivers are told when a triangle is measured: that is seldom
 };
 
 } // namespace toile::collision

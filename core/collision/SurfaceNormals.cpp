@@ -30,11 +30,7 @@ std::vector<int> firstAtPosition(const std::vector<Vec3>& vertices) {
 
 /// Zero for a sliver.
 Vec3 faceNormal(const std::array<Vec3, 3>& corner) {
-    const Vec3 n = cross(corner[1] - corner[0], corner[2] - corner[0]);
-    const double longest = std::max({squaredLength(corner[1] - corner[0]), squaredLength(corner[2] - corner[1]),
-                                     squaredLength(corner[0] - corner[2])});
-    // below this height-to-length ratio the regions of closestOnTriangle would be decided by rounding
-    return length(n) > 1e-10 * longest ? normalized(n) : Vec3{};
+    return isSliver(corner) ? Vec3{} : normalized(cross(corner[1] - corner[0], corner[2] - corner[0]));
 }
 
 double angleBetween(const Vec3& a, const Vec3& b) {
@@ -94,7 +90,10 @@ SurfaceNormals::SurfaceNormals(const geometry::TriangleMesh& mesh) : faces_(mesh
 }
 
 bool isSliver(const std::array<Vec3, 3>& corners) {
-    return faceNormal(corners) == Vec3{};
+    const auto& [a, b, c] = corners;
+    const double longest = std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
+    // below this height-to-length ratio the regions of closestOnTriangle would be decided by rounding
+    return !(length(cross(b - a, c - a)) > 1e-10 * longest);
 }
 
 NormalsOnDemand::NormalsOnDemand(const geometry::TriangleMesh& mesh) : firstFace_(mesh.vertices.size() + 1, 0) {

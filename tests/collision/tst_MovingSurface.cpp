@@ -43,6 +43,7 @@ class tst_MovingSurface : public QObject {
     Q_OBJECT
 private slots:
     void isTheSurfaceThatWouldBeMadeThere();
+    void aTriangleMayBecomeASliverAndBack();
     void normalsOnDemandAreThoseOfTheTable();
     void everyPlaceKnowsItsWay();
     void pointsOffTheSurfaceAreCarriedAsByARigidBody();
@@ -67,6 +68,24 @@ void tst_MovingSurface::isTheSurfaceThatWouldBeMadeThere() {
     QCOMPARE(moving.ends(), 12.0);
     moving.moveTo(12);
     QVERIFY(moving.surface().mesh().vertices == motionOf(mesh)->poses.back());
+}
+
+void tst_MovingSurface::aTriangleMayBecomeASliverAndBack() {
+    const geometry::TriangleMesh wide{{{0, 0, 0}, {1, 0, 0}, {0.3, 1, 0}}, {{0, 1, 2}}};
+    geometry::TriangleMesh flat = wide;
+    flat.vertices[2] = {0.7, 0, 0};
+    BodySurface surface = freshly(wide);
+    std::mt19937 random(2);
+    for (const auto& mesh : {flat, wide, flat}) {
+        surface.moveTo(mesh.vertices);
+        const BodySurface fresh = freshly(mesh);
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 p = shapes::randomPoint(random, 2);
+            const auto there = surface.nearest(p, anywhere), expected = fresh.nearest(p, anywhere);
+            QVERIFY(there->point == expected->point);
+            QCOMPARE(std::abs(there->signedDistance), std::abs(expected->signedDistance));
+        }
+    }
 }
 
 void tst_MovingSurface::normalsOnDemandAreThoseOfTheTable() {
