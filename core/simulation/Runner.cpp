@@ -66,6 +66,10 @@ public:
         finishWanted_ = wanted;
         wake();
     }
+    void drapeWith(dynamics::Method method) {
+        method_ = method;
+        wake();
+    }
     void hold(std::vector<Grip> grips) {
         grips_.put(std::move(grips));
         wake();
@@ -121,6 +125,7 @@ private:
     std::atomic<bool> pushed_{false};        ///< play was ordered and not seen yet
     std::atomic<bool> playsWithBody_{false}; ///< time will run if the body may move as it was ordered
     std::atomic<bool> finishWanted_{false};
+    std::atomic<dynamics::Method> method_{dynamics::Method::xpbd};
     std::atomic<int> steps_{0};
     std::atomic<std::uint64_t> signal_{1};    ///< counts orders
     std::atomic<std::uint64_t> idleSince_{0}; ///< the order after which there was nothing left to do
@@ -141,6 +146,7 @@ private:
             if (auto checkpoint = resumed_.take()) goOnFrom(*checkpoint);
             if (asked_.exchange(false)) tellWhereItStands();
             if (auto grips = grips_.take()) take(std::move(*grips));
+            takeMethod();
             if (auto motion = motions_.take()) take(std::move(*motion));
             if (pushed_.exchange(false) && stands()) playUntil_ = simulation_->state().time + atLeast;
             if (mayStep) {
@@ -174,6 +180,16 @@ private:
         if (!stands()) return;
         simulation_->hold(held_);
         attempts_ = 0;
+        playUntil_ = simulation_->state().time + atLeast;
+    }
+
+    /// Whatever simulation it is: a new one drapes by XPBD.
+    void takeMethod() {
+        const dynamics::Method wanted = method_;
+        if (!stands() || simulation_->bodyMoves() || simulation_->drapingMethod() == wanted) return;
+        simulation_->drapeWith(wanted);
+        attempts_ = 0;
+        finish_ = Finish::none;
         playUntil_ = simulation_->state().time + atLeast;
     }
 
@@ -342,6 +358,9 @@ void Runner::reset() {
 }
 void Runner::finishAtRest(bool wanted) {
     worker_->finishAtRest(wanted);
+}
+void Runner::drapeWith(dynamics::Method method) {
+    worker_->drapeWith(method);
 }
 void Runner::hold(std::vector<Grip> grips) {
     worker_->hold(std::move(grips));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/dynamics/Method.h"
 #include "core/geometry/VertexMotion.h"
 #include "core/simulation/Checkpoint.h"
 #include "core/simulation/Frame.h"
@@ -32,6 +33,9 @@ public:
     /// From now on a garment that comes to rest while it plays goes on to its equilibrium by statics, on the same
     /// thread; frames show the way there. Every order stops it, and the garment lies where it rested. At first: no.
     void finishAtRest(bool wanted);
+    /// By which method a sewn garment is draped from now on (Simulation::drapeWith), once no body moves beside it; what
+    /// plays goes on by it, also if it was at rest. At first: XPBD.
+    void drapeWith(dynamics::Method method);
     /// What hands hold from now on. While the cloth plays it follows them, also if it was at rest.
     void hold(std::vector<Grip> grips);
     /// The body moves so from now on (Simulation::moveBody), and time runs. What cannot be is refused by a frame's

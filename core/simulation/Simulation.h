@@ -108,6 +108,7 @@ public:
     /// position-based, which alone draws seams together. Absent: there is no motion after sewing, the garment is left
     /// to settle().
     void drapeWith(std::optional<dynamics::Method> method);
+    [[nodiscard]] std::optional<dynamics::Method> drapingMethod() const { return drapingMethod_; }
 
     /// Shares the work of a step out from now on, where it is much enough to gain by it; null = alone. The bits are the
     /// same.

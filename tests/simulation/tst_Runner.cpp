@@ -37,6 +37,8 @@ private slots:
     void aCheckpointOfAnotherSceneIsRefused();
     void theBodyMovesAndClothThatRestedGoesAlong();
     void aMotionThatIsRefusedIsSaidAndMovesNothing();
+    void anotherMethodTakesOver();
+    void aMethodWaitsUntilTheBodyStandsStill();
     void handsHoldAcrossACheckpoint();
     void aHandThatLetsGoOfABrokenSceneHoldsNoMore();
     void fiveHundredEditsWhileItSews();
@@ -426,6 +428,69 @@ void tst_Runner::aMotionThatIsRefusedIsSaidAndMovesNothing() {
         return !frame.message.empty();
     });
     QVERIFY(seen);
+}
+
+namespace {
+
+/// Where two squares are that fell for so many frame steps, the second half of them by a method.
+std::vector<Vec3> fallenBy(dynamics::Method method) {
+    Runner runner;
+    Scene scene = twoSquares(0.05);
+    scene.pattern.seams.clear();
+    scene.settings.gravity = {0, -9.81, 0};
+    runner.setScene(scene, 1);
+    std::vector<Vec3> positions;
+    double time = 0;
+    const auto step = [&] {
+        runner.step();
+        return QTest::qWaitFor(
+            [&] {
+                const auto frame = runner.takeFrame();
+                if (!frame || frame->time <= time) return false;
+                time = frame->time;
+                positions = frame->positions;
+                return true;
+            },
+            60000);
+    };
+    for (int i = 0; i < 10; ++i) {
+        if (i == 5) runner.drapeWith(method);
+        if (!step()) qFatal("no step");
+    }
+    return positions;
+}
+
+} // namespace
+
+/// Two bodies in free fall, for which every method has an error of its own.
+void tst_Runner::anotherMethodTakesOver() {
+    const std::vector<Vec3> fast = fallenBy(dynamics::Method::xpbd), again = fallenBy(dynamics::Method::xpbd),
+                            euler = fallenBy(dynamics::Method::backwardEuler);
+    QVERIFY(fast == again);
+    const double apart = geometry::distance(fast[0], euler[0]);
+    QVERIFY2(apart > 1e-4 && apart < 0.02, qPrintable(QString::number(apart)));
+}
+
+void tst_Runner::aMethodWaitsUntilTheBodyStandsStill() {
+    Runner runner;
+    const Scene scene = sheetOnTable();
+    runner.setScene(scene, 1);
+    runner.play();
+    QVERIFY(waitForFrame(runner, [](const Frame& frame) { return frame.atRest; }));
+    const std::vector<Vec3>& vertices = (*scene.body)->mesh.vertices;
+    geometry::VertexMotion up{0.5, {vertices, vertices}};
+    for (Vec3& v : up.poses[1]) v.y += 0.1;
+    runner.moveBody(std::make_shared<const geometry::VertexMotion>(up));
+    QVERIFY(waitForFrame(runner, [](const Frame& frame) { return frame.bodyMoves; }));
+    runner.drapeWith(dynamics::Method::trBdf2);
+    const auto lifted = waitForFrame(runner, [&](const Frame& frame) {
+        return frame.atRest && frame.body && (*frame.body)->mesh.vertices == up.poses[1];
+    });
+    QVERIFY(lifted);
+    std::ranges::reverse(up.poses);
+    runner.moveBody(std::make_shared<const geometry::VertexMotion>(up)); // it has taken over by then
+    const auto refused = waitForFrame(runner, [](const Frame& frame) { return !frame.message.empty(); });
+    QVERIFY(refused && refused->message.find("by xpbd alone") != std::string::npos);
 }
 
 namespace {

@@ -17,6 +17,7 @@ struct FakeSimulation : Simulation {
         std::optional<simulation::Frame> frame;
         bool playing = false, busy = false;
         bool finishes = false;
+        dynamics::Method method = dynamics::Method::xpbd;
         int resets = 0;
         std::vector<simulation::Grip> grips;
         std::optional<simulation::Checkpoint> resumed;
@@ -29,6 +30,7 @@ struct FakeSimulation : Simulation {
     void step() override {}
     void reset() override { ++log.resets; }
     void finishAtRest(bool wanted) override { log.finishes = wanted; }
+    void drapeWith(dynamics::Method method) override { log.method = method; }
     void hold(std::vector<simulation::Grip> grips) override { log.grips = std::move(grips); }
     void moveBody(std::shared_ptr<const geometry::VertexMotion> motion) override { log.motion = std::move(motion); }
     void askForCheckpoint() override {}

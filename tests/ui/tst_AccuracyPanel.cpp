@@ -258,11 +258,14 @@ void tst_AccuracyPanel::aSettingIsTakenOverInOneStep() {
     f.measure();
     const double drawn = f.spacing();
     QSignalSpy finish(f.panel.get(), &AccuracyPanel::finishWanted);
+    std::vector<Method> methods;
+    QObject::connect(f.panel.get(), &AccuracyPanel::methodWanted, [&](Method method) { methods.push_back(method); });
     f.find<QDoubleSpinBox>("accuracyWithin")->setValue(5);
     QTest::mouseClick(f.find<QPushButton>("accuracyUse"), Qt::LeftButton);
     QCOMPARE(f.spacing(), 1.4 * drawn);
     QCOMPARE(f.refinement(), 0);
     QCOMPARE(finish.size(), 1);
+    QVERIFY(methods == std::vector{Method::xpbd});
     QVERIFY(!f.panel->study().isStale()); // that mesh was measured
     f.find<QDoubleSpinBox>("accuracyWithin")->setValue(1.5);
     QTest::mouseClick(f.find<QPushButton>("accuracyUse"), Qt::LeftButton); // of the drawn spacing, not of the last

@@ -16,6 +16,7 @@
 #include <QSet>
 #include <QSettings>
 #include <QSplitter>
+#include <QToolButton>
 #include <QTreeWidget>
 
 using namespace toile;
@@ -42,6 +43,7 @@ private Q_SLOTS:
     void whatIsHalfDrawnEndsWithItsDocument();
     void theNextWindowHasTheSizesOfTheLastOne();
     void theNextWindowShowsWhatTheLastOneDid();
+    void theMethodIsChosenAtThePlayButtonAndKept();
 };
 
 void tst_MainWindow::propertiesChangeTheDocument() {
@@ -314,6 +316,34 @@ void tst_MainWindow::theNextWindowShowsWhatTheLastOneDid() {
     QVERIFY(next.find<QDockWidget>("accuracyDock")->isVisible());
     QVERIFY(next.action("simulation.accuracy")->isChecked());
     QSettings().clear();
+}
+
+void tst_MainWindow::theMethodIsChosenAtThePlayButtonAndKept() {
+    {
+        Bench bench;
+        auto* shown = bench.find<QLabel>("statusMethod");
+        QVERIFY(bench.action("method.xpbd")->isChecked());
+        QVERIFY(!shown->isVisible());
+        QMenu* menu = nullptr;
+        for (auto* button : bench.window.findChildren<QToolButton*>())
+            if (button->defaultAction() == bench.action("simulation.play")) menu = button->menu();
+        QVERIFY(menu);
+        for (const dynamics::Method method : dynamics::allMethods())
+            QVERIFY2(menu->actions().contains(bench.action(qPrintable(methodId(method)))),
+                     dynamics::nameOf(method).data());
+        menu->popup(bench.window.mapToGlobal(QPoint(50, 50)));
+        QVERIFY(QTest::qWaitForWindowExposed(menu));
+        QTest::keyClick(menu, Qt::Key_A); // its mnemonic
+        QVERIFY(bench.workbench.method() == dynamics::Method::trBdf2);
+        QVERIFY(!bench.action("method.xpbd")->isChecked());
+        QVERIFY(shown->isVisible());
+        QCOMPARE(shown->text(), QStringLiteral("TR-BDF2"));
+    }
+    Bench next;
+    QVERIFY(next.workbench.method() == dynamics::Method::trBdf2);
+    QVERIFY(next.action("method.trbdf2")->isChecked());
+    next.action("method.xpbd")->trigger();
+    QVERIFY(next.workbench.method() == dynamics::Method::xpbd);
 }
 
 QTEST_MAIN(tst_MainWindow)

@@ -178,10 +178,16 @@ void tst_Workbench::theAvatarStaysWhileItCannotMove() {
     dressed.showWorn();
     QVERIFY(workbench.whyNotMoved().isEmpty());
     QVERIFY(workbench.whyNotMovedBack().contains("as it did at first"));
+    workbench.drapeWith(dynamics::Method::trBdf2);
+    QVERIFY(dressed.log.method == dynamics::Method::trBdf2);
+    QVERIFY(workbench.whyNotMoved().contains("only the fast method"));
+    workbench.drapeWith(dynamics::Method::xpbd);
+    QVERIFY(workbench.whyMethodStays().isEmpty());
     workbench.moveBack();
     QVERIFY(!dressed.log.motion);
     dressed.showMoved(true);
     QVERIFY(workbench.whyNotMoved().contains("moving already"));
+    QVERIFY(!workbench.whyMethodStays().isEmpty());
     dressed.showMoved(false);
     QVERIFY(workbench.whyNotMoved().contains("move it back first"));
 }

@@ -136,6 +136,7 @@ void AccuracyPanel::useRun() {
     const study::GarmentRun run = *chosen_;
     if (auto next = study_.withMeshOf(run)) workbench_.apply({tr("Set mesh"), std::move(*next)});
     else workbench_.tell(tr("The garment has this mesh already."));
+    Q_EMIT methodWanted(*run.setup.method);
     if (run.finished) Q_EMIT finishWanted();
 }
 

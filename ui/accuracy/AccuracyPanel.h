@@ -29,6 +29,7 @@ public:
 
 Q_SIGNALS:
     void resultShown();
+    void methodWanted(toile::dynamics::Method method); ///< the setting that was taken over drapes by it
     void finishWanted(); ///< the setting that was taken over finishes its drape by statics
 
 protected:

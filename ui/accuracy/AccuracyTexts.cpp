@@ -158,7 +158,7 @@ std::vector<QStringList> quantityRowsOf(const GarmentAccuracy& study, const Garm
 }
 
 bool isOfTheWindow(const GarmentRun& run) {
-    return run.setup.method == Method::xpbd;
+    return run.setup.method.has_value();
 }
 
 Suggestion suggestionFor(const GarmentAccuracy& study, double within) {

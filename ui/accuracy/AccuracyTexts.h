@@ -35,7 +35,7 @@ struct AccuracyRow {
 [[nodiscard]] std::vector<QStringList> quantityRowsOf(const study::GarmentAccuracy& study,
                                                       const study::GarmentRun* run);
 
-/// Whether the window drapes by it: the cloth that moves there is position-based.
+/// Whether the window drapes by it: there cloth moves.
 [[nodiscard]] bool isOfTheWindow(const study::GarmentRun& run);
 
 /// What is suggested to who wants every length right within so much [m].

@@ -115,20 +115,25 @@ void MainWindow::makeAccuracyDock() {
         constexpr int roomForAChart = 400; // [pixels]
         if (accuracy_->height() < roomForAChart) resizeDocks({accuracy_}, {roomForAChart}, Qt::Vertical);
     });
+    connect(panel, &AccuracyPanel::methodWanted, this, &MainWindow::drapeWith);
     connect(panel, &AccuracyPanel::finishWanted, this, [this] {
         if (QAction* finish = actions_["simulation.finish"]; !finish->isChecked()) finish->trigger();
     });
 }
 
 void MainWindow::makeActions() {
-    for (const auto& table :
-         {fileActions(), editActions(), viewActions(), simulationActions(), habitActions(), toolActions()})
+    for (const auto& table : {fileActions(), editActions(), viewActions(), simulationActions(), methodActions(),
+                              habitActions(), toolActions()})
         actions_.add(*this, table);
     auto* tools = new QActionGroup(this);
     for (const ToolBox::Entry& entry : tools_.entries()) tools->addAction(actions_[entry.id]);
     auto* habits = new QActionGroup(this);
     for (const char* id : {"habits.clo", "habits.blender", "habits.maya"})
         habits->addAction(actions_[QLatin1String(id)]);
+    auto* methods = new QActionGroup(this);
+    for (const dynamics::Method method : dynamics::allMethods()) methods->addAction(actions_[methodId(method)]);
+    const QString kept = QSettings().value(drapingMethodKey).toString();
+    drapeWith(dynamics::methodNamed(kept.toStdString()).value_or(dynamics::Method::xpbd));
     const QString habit = QSettings().value(cameraHabitsKey).toString();
     for (QAction* action : habits->actions())
         if (action->objectName() == habit || (habit.isEmpty() && action == habits->actions().front()))
@@ -196,6 +201,18 @@ void MainWindow::showMotion() {
     actions_["avatar.liftArms"]->setChecked(armsAreUp);
     actions_.allow(QStringLiteral("avatar.moveThroughPoses"), there);
     actions_.allow(QStringLiteral("avatar.moveBack"), back);
+    const QString stays = workbench_.whyMethodStays();
+    for (const dynamics::Method method : dynamics::allMethods())
+        actions_.allow(methodId(method), method == workbench_.method() ? QString() : stays);
+}
+
+void MainWindow::drapeWith(dynamics::Method method) {
+    QAction* action = actions_[methodId(method)];
+    action->setChecked(true);
+    QSettings().setValue(drapingMethodKey, QString::fromUtf8(dynamics::nameOf(method).data()));
+    workbench_.drapeWith(method);
+    status_->showMethod(method == dynamics::Method::xpbd ? QString() : action->iconText());
+    showMotion();
 }
 
 void MainWindow::showTitle() {

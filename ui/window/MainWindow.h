@@ -19,6 +19,9 @@ class QToolBar;
 
 namespace toile::ui {
 
+/// Of the action that chooses it.
+[[nodiscard]] QString methodId(dynamics::Method method);
+
 /// What the window gets from outside beside the workbench.
 struct WindowParts {
     FileCommands::DrapeWriter writeDrape;
@@ -32,6 +35,9 @@ inline const QString cameraHabitsKey = QStringLiteral("cameraHabits");
 
 /// Of the settings: whether a garment at rest is finished by statics.
 inline const QString finishAtRestKey = QStringLiteral("finishAtRest");
+
+/// Of the settings: by which method a sewn garment is draped, as dynamics::nameOf.
+inline const QString drapingMethodKey = QStringLiteral("drapingMethod");
 
 /// Puts the parts together; decides nothing. 3D view left, pattern right, objects and properties far right.
 class MainWindow : public QMainWindow {
@@ -64,7 +70,8 @@ private:
     void showTitle();
     void showHistory();
     void showTool();
-    void showMotion(); ///< which commands move the avatar
+    void showMotion(); ///< which commands move the avatar, and whether the method may change
+    void drapeWith(dynamics::Method method);
     void showMenu(const Selection& under, QPoint globalPosition);
     void about();
 
@@ -72,6 +79,7 @@ private:
     [[nodiscard]] std::vector<ActionSpec> editActions();
     [[nodiscard]] std::vector<ActionSpec> viewActions();
     [[nodiscard]] std::vector<ActionSpec> simulationActions();
+    [[nodiscard]] std::vector<ActionSpec> methodActions();
     [[nodiscard]] std::vector<ActionSpec> habitActions();
     [[nodiscard]] std::vector<ActionSpec> toolActions();
 
@@ -83,6 +91,7 @@ private:
     FileCommands* files_ = nullptr;
     View3D* view3D_ = nullptr;
     QToolBar* viewBar_ = nullptr;
+    QMenu* methods_ = nullptr; ///< stands in the menu and at the button that plays
     PatternView* pattern_ = nullptr;
     ToolOptions* options_ = nullptr;
     StatusLine* status_ = nullptr;

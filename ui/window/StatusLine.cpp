@@ -44,11 +44,13 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     addWidget(message_, 1);
     pointer_ = field(*this, "statusPointer", 130, tr("Pointer on the pattern table"));
     state_ = field(*this, "statusState", 96, tr("State of the simulation"));
+    method_ = field(*this, "statusMethod", 0, tr("Method by which the sewn garment is draped"));
     time_ = field(*this, "statusTime", 64, tr("Simulated time"));
     rate_ = field(*this, "statusRate", 96, tr("Simulated frames computed a second"));
     particles_ = field(*this, "statusParticles", 100, tr("Particles of the cloth"));
     gap_ = field(*this, "statusGap", 116, tr("Largest distance between points that are sewn together"));
     gap_->setContentsMargins(0, 0, 10, 0);
+    showMethod({});
     showFrame(nullptr, false);
     fade_.setSingleShot(true);
     fade_.setInterval(std::chrono::seconds(12));
@@ -64,6 +66,11 @@ void StatusLine::tell(const QString& message, bool isProblem) {
 
 void StatusLine::showPointer(Vec2 position) {
     pointer_->setText(tr("%1, %2").arg(textOf(Quantity::length, position.x), textOf(Quantity::length, position.y)));
+}
+
+void StatusLine::showMethod(const QString& name) {
+    method_->setText(name);
+    method_->setVisible(!name.isEmpty());
 }
 
 void StatusLine::showFrame(const simulation::Frame* frame, bool playing) {

@@ -27,12 +27,13 @@ public:
     /// Problems stay until the next message, others go after a while.
     void tell(const QString& message, bool isProblem);
     void showPointer(Vec2 position);
+    void showMethod(const QString& name); ///< of another than the usual; empty = the usual
     void showFrame(const simulation::Frame* frame, bool playing);
 
 private:
     QTimer fade_;
     ElidedLabel* message_;
-    QLabel *pointer_, *state_, *time_, *rate_, *particles_, *gap_;
+    QLabel *pointer_, *state_, *method_, *time_, *rate_, *particles_, *gap_;
 };
 
 } // namespace toile::ui

@@ -31,6 +31,8 @@ void applyTheme(QApplication& application) {
         "QToolBar { border: 0; border-bottom: 1px solid #d3d8dd; spacing: 2px; padding: 3px 6px; background: #f4f5f7; }"
         "QToolBar::separator { width: 1px; margin: 5px 5px; background: #d3d8dd; }"
         "QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px; }"
+        "QToolButton[popupMode=\"1\"] { padding-right: 16px; }"
+        "QToolButton::menu-button { border: 0; width: 14px; }"
         "QToolButton:hover { background: #e4e9ee; }"
         "QToolButton:pressed { background: #d4dce4; }"
         "QToolButton:checked { background: #d6e6f5; border-color: #8dbbe4; }"

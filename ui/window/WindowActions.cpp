@@ -229,6 +229,34 @@ std::vector<ActionSpec> MainWindow::simulationActions() {
     };
 }
 
+QString methodId(dynamics::Method method) {
+    return QStringLiteral("method.") + QString::fromUtf8(dynamics::nameOf(method).data());
+}
+
+std::vector<ActionSpec> MainWindow::methodActions() {
+    using dynamics::Method;
+    const QString implicitTip = tr("Implicit steps at the cloth's true stiffness; slow");
+    const QString explicitTip =
+        tr("Explicit steps, as short as the stiffest spring asks for: to compare with; very slow");
+    std::vector<ActionSpec> table;
+    const auto row = [&](Method method, const QString& text, const QString& shortText, const QString& tip) {
+        table.push_back({methodId(method), text, {}, {}, true, [this, method] { drapeWith(method); }, tip, shortText});
+    };
+    row(Method::xpbd, tr("&Fast: position-based (XPBD)"), tr("Fast"),
+        tr("For fitting: the cloth follows the hand, and lengths are right once it is finished at rest"));
+    row(Method::trBdf2, tr("&Accurate in motion (TR-BDF2)"), tr("TR-BDF2"),
+        tr("How the cloth moves, its error controlled; many times slower, and at rest no nearer to the truth"));
+    row(Method::backwardEuler, tr("Backward &Euler"), tr("Backward Euler"), implicitTip);
+    row(Method::bdf2, tr("B&DF2"), tr("BDF2"), implicitTip);
+    row(Method::midpoint, tr("Implicit &midpoint"), tr("Implicit midpoint"), implicitTip);
+    row(Method::sdirk4, tr("&SDIRK4"), tr("SDIRK4"), implicitTip);
+    row(Method::baraffWitkin, tr("&Baraff–Witkin"), tr("Baraff–Witkin"), implicitTip);
+    row(Method::rk4, tr("&Runge–Kutta 4, explicit"), tr("Runge–Kutta 4"), explicitTip);
+    row(Method::symplecticEuler, tr("S&ymplectic Euler, explicit"), tr("Symplectic Euler"), explicitTip);
+    row(Method::subcycledEuler, tr("Subcycled E&uler, explicit"), tr("Subcycled Euler"), explicitTip);
+    return table;
+}
+
 std::vector<ActionSpec> MainWindow::habitActions() {
     std::vector<ActionSpec> table;
     for (const auto& [id, text, habits] :

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
+#include <QToolButton>
 
 namespace toile::ui {
 
@@ -41,8 +42,15 @@ void MainWindow::makeMenus() {
     actions_.fill(*view->addMenu(tr("Mouse in the &3D view")), {"habits.clo", "habits.blender", "habits.maya"});
     menu(tr("&Avatar"), {"avatar.mannequin", "avatar.import", "avatar.remove", "-", "avatar.liftArms",
                          "avatar.moveThroughPoses", "avatar.moveBack"});
-    menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset", "-", "simulation.finish",
-                             "simulation.accuracy", "-", "simulation.saveCheckpoint", "simulation.resume"});
+    QMenu* simulation = menu(tr("&Simulation"), {"simulation.play", "simulation.step", "simulation.reset", "-"});
+    methods_ = simulation->addMenu(tr("&Method"));
+    methods_->setObjectName(QStringLiteral("methodMenu"));
+    methods_->setToolTipsVisible(true);
+    actions_.fill(*methods_, {"method.xpbd", "method.trbdf2", "-", "method.backward-euler", "method.bdf2",
+                              "method.midpoint", "method.sdirk4", "method.baraff-witkin", "-", "method.rk4",
+                              "method.symplectic-euler", "method.subcycled-euler"});
+    actions_.fill(*simulation,
+                  {"simulation.finish", "simulation.accuracy", "-", "simulation.saveCheckpoint", "simulation.resume"});
     menu(tr("&Help"), {"help.about"});
 }
 
@@ -92,6 +100,9 @@ void MainWindow::makeToolBars() {
                          "-",
                          "look.mesh",
                          "view.fitAll"});
+    auto* play = qobject_cast<QToolButton*>(bar->widgetForAction(actions_["simulation.play"]));
+    play->setMenu(methods_);
+    play->setPopupMode(QToolButton::MenuButtonPopup);
 }
 
 void MainWindow::makeViewBar() {

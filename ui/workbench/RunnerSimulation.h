@@ -17,6 +17,7 @@ public:
     void step() override { runner_.step(); }
     void reset() override { runner_.reset(); }
     void finishAtRest(bool wanted) override { runner_.finishAtRest(wanted); }
+    void drapeWith(dynamics::Method method) override { runner_.drapeWith(method); }
     void hold(std::vector<simulation::Grip> grips) override { runner_.hold(std::move(grips)); }
     void moveBody(std::shared_ptr<const geometry::VertexMotion> motion) override {
         runner_.moveBody(std::move(motion));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/dynamics/Method.h"
 #include "core/geometry/VertexMotion.h"
 #include "core/simulation/Checkpoint.h"
 #include "core/simulation/Frame.h"
@@ -24,6 +25,7 @@ public:
     virtual void step() = 0;
     virtual void reset() = 0;
     virtual void finishAtRest(bool wanted) = 0;
+    virtual void drapeWith(dynamics::Method method) = 0;
     virtual void hold(std::vector<simulation::Grip> grips) = 0;
     virtual void moveBody(std::shared_ptr<const geometry::VertexMotion> motion) = 0;
     virtual void askForCheckpoint() = 0;

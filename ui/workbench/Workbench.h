@@ -86,6 +86,11 @@ public:
     void reset();
     /// From now on a garment that comes to rest is finished by statics, or not any more.
     void finishAtRest(bool wanted);
+    /// By which method a sewn garment is draped from now on.
+    void drapeWith(dynamics::Method method);
+    [[nodiscard]] dynamics::Method method() const { return method_; }
+    /// Why another method cannot take over now; empty = it can.
+    [[nodiscard]] QString whyMethodStays() const;
     /// What hands hold from now on; what plays follows them.
     void hold(std::vector<simulation::Grip> grips);
     /// The avatar's arms go up by 60°, or back down, while the garment plays; what cannot be is told.
@@ -164,6 +169,7 @@ private:
     std::optional<pattern::Pattern> meshedPattern_; ///< handed to the mesh preview
     std::optional<simulation::Scene> scene_;        ///< handed to the simulation
     bool wasPlaying_ = false;
+    dynamics::Method method_ = dynamics::Method::xpbd;
     std::shared_ptr<const geometry::VertexMotion> motion_; ///< ordered last, away from the first pose
     bool movesArms_ = false;                               ///< it lifts them
     bool motionLoading_ = false;                           ///< another one is being read

@@ -16,6 +16,8 @@ QString Workbench::whyAvatarStays() const {
     if (bodyLoading_) return tr("The avatar is still being read.");
     if (!body_) return tr("There is no avatar that could move.");
     if (!frame_) return tr("There is no garment on the avatar.");
+    if (method_ != dynamics::Method::xpbd)
+        return tr("Beside an avatar that moves only the fast method drapes: choose it under Simulation, Method.");
     if (frame_->phase != simulation::Phase::draping)
         return tr("The avatar moves when the garment is worn: simulate until its seams are closed and it hangs.");
     if (frame_->bodyMoves) return tr("The avatar is moving already.");

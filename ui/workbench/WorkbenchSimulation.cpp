@@ -35,6 +35,16 @@ void Workbench::finishAtRest(bool wanted) {
     follow();
 }
 
+void Workbench::drapeWith(dynamics::Method method) {
+    method_ = method;
+    if (parts_.simulation) parts_.simulation->drapeWith(method);
+    follow();
+}
+
+QString Workbench::whyMethodStays() const {
+    return frame_ && frame_->bodyMoves ? tr("While the avatar moves, the method stays.") : QString();
+}
+
 /// Once, when statics has come to its end.
 void Workbench::tellOfFinish(const simulation::Frame& frame) {
     if (frame_ && frame_->finish == frame.finish) return;
