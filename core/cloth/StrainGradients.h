@@ -17,8 +17,9 @@ struct StrainGradient {
     double stiffness = 0; ///< along the element's own axes, without what couples them
 };
 
-/// Those of all elements that have a stiffness, in the order of the model: lengths of springs [m], the three coordinates
-/// of stencils, angles of hinges [rad], strains of triangles and of the sides of membrane cells [–], and their shear.
+/// Those of all elements that have a stiffness, in the order of the model: lengths of springs [m], the three
+/// coordinates of stencils, angles of hinges [rad], strains of triangles and of the sides of membrane cells [–], and
+/// their shear.
 void strainGradients(const ClothModel& model, std::span<const Vec3> positions, std::vector<StrainGradient>& into);
 
 } // namespace toile::cloth

@@ -20,8 +20,7 @@ double addedBy(double time, double squared) {
 } // namespace
 
 StrainDamping::StrainDamping(const cloth::ClothModel& model, double time, std::span<const Vec3> positions)
-    : model_(model), time_(time),
-      frequencySquared_(addedBy(time, cloth::largestFrequencySquared(model, positions))) {
+    : model_(model), time_(time), frequencySquared_(addedBy(time, cloth::largestFrequencySquared(model, positions))) {
     cloth::strainGradients(model, positions, strains_); // what they hold from now on
 }
 
@@ -57,8 +56,8 @@ double StrainDamping::rateOf(const cloth::StrainGradient& strain, std::span<cons
     for (int i = 0; i < 4; ++i) {
         const int p = strain.particles[i];
         if (p < 0) continue;
-        rate += dot(strain.gradient[i], motion_.from.empty() ? motion_.velocities[p]
-                                                             : (positions[p] - motion_.from[p]) / motion_.span);
+        rate += dot(strain.gradient[i],
+                    motion_.from.empty() ? motion_.velocities[p] : (positions[p] - motion_.from[p]) / motion_.span);
     }
     return rate;
 }

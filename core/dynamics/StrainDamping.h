@@ -9,9 +9,9 @@
 namespace toile::dynamics {
 
 /// Stiffness-proportional damping: every strain s of the cloth with stiffness k is resisted by β·k·ṡ, as by a dashpot
-/// beside its spring (Kelvin–Voigt). β [s] is the time in which a strain that is let go without inertia falls to 1/e; of
-/// an oscillation with ω it takes the part βω/2 of critical damping. Cloth that moves as a rigid body is not resisted,
-/// momentum is kept, and no energy is put in. docs/dynamics.md
+/// beside its spring (Kelvin–Voigt). β [s] is the time in which a strain that is let go without inertia falls to 1/e;
+/// of an oscillation with ω it takes the part βω/2 of critical damping. Cloth that moves as a rigid body is not
+/// resisted, momentum is kept, and no energy is put in. docs/dynamics.md
 class StrainDamping final : public Stage {
 public:
     /// time: β. The model is borrowed; positions: about which the cloth will be.

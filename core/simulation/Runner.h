@@ -45,7 +45,8 @@ public:
     void askForCheckpoint();
     /// Refused where there is no garment that could stand anywhere, and where the body has moved.
     [[nodiscard]] std::optional<Result<Checkpoint>> takeCheckpoint();
-    /// Goes on from there, paused; a frame step under way is dropped. What belongs to another scene is refused by a frame's message; the garment stays.
+    /// Goes on from there, paused; a frame step under way is dropped. What belongs to another scene is refused by a
+    /// frame's message; the garment stays.
     void resume(Checkpoint checkpoint);
     [[nodiscard]] bool isPlaying() const;
     /// Something ordered is still to be done, or time is running: frames will come. Otherwise the thread sleeps.

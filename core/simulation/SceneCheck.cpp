@@ -8,9 +8,9 @@ namespace toile::simulation {
 
 namespace {
 
-constexpr double mostDrag = 10;       // [–]
+constexpr double mostDrag = 10;         // [–]
 constexpr double mostStrainDamping = 1; // [s]
-constexpr double strongestWind = 100; // [m/s]
+constexpr double strongestWind = 100;   // [m/s]
 
 } // namespace
 
@@ -21,10 +21,9 @@ std::vector<pattern::Problem> checkScene(const SceneSettings& scene) {
         bool zeroAllowed;
     };
     const Field fields[] = {
-        {"scene.damping", scene.damping, true},           {"scene.strainDamping", scene.strainDamping, true},
-        {"scene.skinOffset", scene.skinOffset, true},
-        {"scene.bodyFriction", scene.bodyFriction, true}, {"scene.seamTime", scene.seamTime, false},
-        {"scene.frameStep", scene.frameStep, false},
+        {"scene.damping", scene.damping, true},       {"scene.strainDamping", scene.strainDamping, true},
+        {"scene.skinOffset", scene.skinOffset, true}, {"scene.bodyFriction", scene.bodyFriction, true},
+        {"scene.seamTime", scene.seamTime, false},    {"scene.frameStep", scene.frameStep, false},
     };
     std::vector<pattern::Problem> problems;
     const auto add = [&](const char* path, std::string text) {

@@ -132,8 +132,8 @@ public:
     /// them out changes nothing but the time.
     void force(std::vector<std::string> stages);
 
-    /// One frame step of the scene. Error when a number is no longer finite or the step was stopped: all stands as if it
-    /// had not begun, and what is remembered from step to step is let go as by checkpoint().
+    /// One frame step of the scene. Error when a number is no longer finite or the step was stopped: all stands as if
+    /// it had not begun, and what is remembered from step to step is let go as by checkpoint().
     [[nodiscard]] Result<void> advance(std::stop_token stop = {});
 
     /// Goes on to the equilibrium with contact and friction by Newton's method; fine cloth that drapes by

@@ -77,8 +77,9 @@ private slots:
             for (int i = 0; i < 4; ++i)
                 for (int j = 0; j < 4; ++j)
                     for (int k = 0; k < 9 && s.particles[i] >= 0 && s.particles[j] >= 0; ++k)
-                        largest = std::max(largest, std::abs(found[{s.particles[i], s.particles[j]}][k] +=
-                                                             s.stiffness * s.gradient[i][k / 3] * s.gradient[j][k % 3]));
+                        largest =
+                            std::max(largest, std::abs(found[{s.particles[i], s.particles[j]}][k] +=
+                                                       s.stiffness * s.gradient[i][k / 3] * s.gradient[j][k % 3]));
         for (const auto& [pair, block] : expected.blocks)
             for (int k = 0; k < 9; ++k) {
                 const double difference = std::abs(block[k] - found[pair][k]);

@@ -20,8 +20,8 @@ struct Sheet {
 
 /// A sheet of 8 × 8 cells in disorder: every particle has a speed of its own.
 Sheet kicked(double speed) {
-    cloth::Patch patch = study::validation::gridPatch(study::validation::evenLines(0.2, 8),
-                                                      study::validation::evenLines(0.2, 8));
+    cloth::Patch patch =
+        study::validation::gridPatch(study::validation::evenLines(0.2, 8), study::validation::evenLines(0.2, 8));
     Sheet sheet{modelOf(patch, study::validation::unequalWeave()), {}};
     std::mt19937 random(7);
     std::uniform_real_distribution<double> some(-speed, speed);

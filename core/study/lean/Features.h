@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/VertexMotion.h"
 #include "core/simulation/Grips.h"
 #include "core/simulation/Scene.h"
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +31,8 @@ struct Variant {
                                           ///< must not have; negative = none
     std::vector<std::string> forced = {}; ///< stages that the plan is told to build
     std::vector<simulation::Grip> holds = {}, letsGo = {}; ///< held all the time; held only before the first step
+    std::shared_ptr<const geometry::VertexMotion> motion =
+        {}; ///< of the body, from the first step on; null = it stands
 };
 
 /// A part of the step: a stage of the plan, elements of the cloth, a setting of the integrator.

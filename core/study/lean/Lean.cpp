@@ -60,6 +60,8 @@ Result<Simulation> madeFor(const Variant& variant) {
     }
     if (!variant.holds.empty()) simulation->hold(variant.holds);
     if (!variant.forced.empty()) simulation->force(variant.forced);
+    if (variant.motion)
+        if (auto moves = simulation->moveBody(variant.motion); !moves) return tl::unexpected(moves.error());
     return simulation;
 }
 

@@ -4,6 +4,9 @@
 #include "core/study/lean/FeatureChapters.h"
 #include "core/study/lean/FeatureScenes.h"
 
+#include <memory>
+#include <utility>
+
 namespace toile::study::lean {
 namespace {
 
@@ -32,6 +35,23 @@ Feature bodyContact(double spacing) {
             {{Role::absent, "no body", alone},
              {Role::forced, "a body 10 m below", farFromABody(alone), 0},
              {Role::inUse, "falling on a table", onATable(alone), 0}}};
+}
+
+/// The sheet is pinned where it was, or to the body, which rises by 50 mm a second.
+Feature pinsToTheBody(double spacing) {
+    const Scene inSpace = farFromABody(heldSheet(spacing));
+    Scene toBody = inSpace;
+    for (pattern::Pin& pin : toBody.pattern.pins) pin.toBody = true;
+    const std::vector<Vec3>& stands = (*inSpace.body)->mesh.vertices;
+    geometry::VertexMotion rises{1, {stands, stands}};
+    for (Vec3& vertex : rises.poses[1]) vertex.y += 0.05;
+    const auto motion = std::make_shared<const geometry::VertexMotion>(std::move(rises));
+    return {"pins to the body",
+            "pins to the body",
+            {{Role::absent, "pinned in space", inSpace},
+             {Role::unused, "pinned to a body that stands", toBody, 0},
+             {.role = Role::absent, .what = "pinned in space, the body moves", .scene = inSpace, .motion = motion},
+             {.role = Role::inUse, .what = "the body moves", .scene = toBody, .like = 2, .motion = motion}}};
 }
 
 /// Two sheets, one above the other, the lower one held.
@@ -148,9 +168,9 @@ Feature pressure(double spacing) {
 } // namespace
 
 std::vector<Feature> stageFeatures(double spacing) {
-    return {wind(spacing),          pressure(spacing),    seams(spacing),       tacks(spacing),
-            hands(spacing),         strainLimit(spacing), energyWatch(spacing), bodyContact(spacing),
-            seamsThatMeet(spacing), selfContact(spacing)};
+    return {wind(spacing),          pressure(spacing),    seams(spacing),        tacks(spacing),
+            hands(spacing),         strainLimit(spacing), energyWatch(spacing),  bodyContact(spacing),
+            seamsThatMeet(spacing), selfContact(spacing), pinsToTheBody(spacing)};
 }
 
 } // namespace toile::study::lean

@@ -184,7 +184,8 @@ void v1OscillatorWithADamper(Findings& found) {
                 return o.state.positions[1].x - 1;
             },
             row.step, 3);
-        const std::string by = fmt::format("oscillator with ζ = {}, {} at {:g} s: ", ratio, nameOf(row.method), row.step);
+        const std::string by =
+            fmt::format("oscillator with ζ = {}, {} at {:g} s: ", ratio, nameOf(row.method), row.step);
         found.within(by + "frequency", damped / (2 * pi), 1 / period, row.tolerance);
         found.within(by + "decay [1/s]", ratio * free, std::log(before / amplitude(o.state)) / o.state.time,
                      row.tolerance);
