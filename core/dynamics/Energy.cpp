@@ -27,7 +27,7 @@ Energies energies(const cloth::ClothModel& model, const ParticleState& state, co
                   std::span<Stage* const> stages) {
     Energies now = energies(model, state, gravity);
     for (Stage* stage : stages) {
-        if (stage->isFromOutside()) continue;
+        if (stage->isFromOutside() || stage->isDissipative()) continue;
         stage->beginIteration(state.positions);
         now.elastic += stage->energy(state.positions);
     }

@@ -55,6 +55,9 @@ public:
     /// Once in every position-based substep, after the cloth's own sweep; before it if the stage is from outside.
     virtual void project(Substep& substep) = 0;
 
+    /// Whether what energy() gives is not stored but taken within the time of the motion.
+    [[nodiscard]] virtual bool isDissipative() const { return false; }
+
     /// What its forces are measured by from now on, until the next call; what is spanned is there as long as forces are
     /// asked for.
     virtual void take(const Motion& motion) { static_cast<void>(motion); }

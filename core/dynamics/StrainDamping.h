@@ -24,6 +24,7 @@ public:
     /// dashpots want many sweeps, and in one they would hold up what springs bring back.
     void project(Substep& substep) override;
 
+    [[nodiscard]] bool isDissipative() const override { return true; }
     void take(const Motion& motion) override { motion_ = motion; }
     /// Gradients are those of these positions; in statics nothing moves, and there are none.
     void fixFriction(std::span<const Vec3> positions) override;
