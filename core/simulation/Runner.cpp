@@ -108,6 +108,7 @@ private:
     }
     /// For what would throw a frame step away, or need not wait for it.
     void cutOff() {
+        ++cuts_;
         wake();
         const std::lock_guard lock(stopping_);
         stopStep_.request_stop();
@@ -128,6 +129,7 @@ private:
     std::atomic<dynamics::Method> method_{dynamics::Method::xpbd};
     std::atomic<int> steps_{0};
     std::atomic<std::uint64_t> signal_{1};    ///< counts orders
+    std::atomic<std::uint64_t> cuts_{0};      ///< counts those that cut a frame step off
     std::atomic<std::uint64_t> idleSince_{0}; ///< the order after which there was nothing left to do
     std::mutex stopping_;                     ///< held for a moment, to look at the next two
     std::stop_source stopFinish_;             ///< of the statics under way
@@ -138,7 +140,7 @@ private:
         for (;;) {
             // Read in this order, so that a scene handed over before play was pressed is taken over before it plays,
             // and who stops the thread wakes it afterwards.
-            const std::uint64_t seen = signal_;
+            const std::uint64_t seen = signal_, cutsSeen = cuts_;
             if (stop.stop_requested()) return;
             const bool mayPlay = playing_, mayStep = steps_ > 0;
             if (auto order = orders_.take()) accept(std::move(*order));
@@ -150,9 +152,9 @@ private:
             if (auto motion = motions_.take()) take(std::move(*motion));
             if (pushed_.exchange(false) && stands()) playUntil_ = simulation_->state().time + atLeast;
             if (mayStep) {
-                if (advance(seen)) --steps_;
+                if (advance(cutsSeen)) --steps_;
             } else if (mayPlay && playing_ && stands() && !rests()) {
-                advance(seen);
+                advance(cutsSeen);
             } else if (mayPlay && playing_ && mayFinish()) {
                 finish(seen);
             } else {
@@ -236,11 +238,12 @@ private:
         publish({});
     }
 
-    /// A frame step, unless something is ordered after `seen`; it may be cut off. Whether it is done with.
-    bool advance(std::uint64_t seen) {
+    /// A frame step, unless one is cut off after so many cuts; edits that come faster than scenes can be built do not
+    /// keep cloth from moving. Whether it is done with.
+    bool advance(std::uint64_t cutsSeen) {
         if (!stands()) return true;
         const std::stop_token stop = fresh(stopStep_);
-        if (signal_ != seen) return false;
+        if (cuts_ != cutsSeen) return false;
         const auto advanced = simulation_->advance(stop);
         finish_ = Finish::none;
         const bool isCutOff = !advanced && advanced.error().code == ErrorCode::cancelled;

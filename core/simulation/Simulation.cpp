@@ -322,6 +322,7 @@ Result<void> Simulation::advance(std::stop_token stop) {
     const auto stepped = moveCloth(duration, stop);
     if (!stepped) {
         state_ = before;
+        if (motion_) motion_->moveTo(state_.time);
         rebuildPlan(); // stages remember of the way that was not gone
         return tl::unexpected(stepped.error());
     }
