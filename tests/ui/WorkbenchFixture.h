@@ -61,4 +61,11 @@ struct Fixture {
     }
 };
 
+inline simulation::Frame frameOf(std::uint64_t generation) {
+    simulation::Frame frame;
+    frame.generation = generation;
+    frame.positions = {{0, 0, 0}};
+    return frame;
+}
+
 } // namespace toile::ui
