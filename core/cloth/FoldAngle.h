@@ -10,10 +10,14 @@
 
 namespace toile::cloth {
 
+/// A triangle whose corner is nearer to the edge than this part of the edge's length has no plane: what would turn it
+/// grows with 1/height and would drown all else in a sum [–].
+inline constexpr double leastHeight = 1e-5;
+
 /// The angle between two triangles (a, b, c) and (b, a, d), as Hinge has it, with its gradient at a, b, c, d.
 struct FoldAngle {
     double angle = 0;               ///< [rad], in (−π, π]
-    std::array<Vec3, 4> gradient{}; ///< [1/m]; 0 where a triangle has no area
+    std::array<Vec3, 4> gradient{}; ///< [1/m]; 0 where a triangle has no plane
 };
 
 inline FoldAngle foldAngle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -21,7 +25,8 @@ inline FoldAngle foldAngle(const Vec3& a, const Vec3& b, const Vec3& c, const Ve
     const double ee = squaredLength(e), length = std::sqrt(ee);
     const double n1n1 = squaredLength(n1), n2n2 = squaredLength(n2);
     constexpr double tiny = 1e-30;
-    if (ee < tiny || n1n1 < tiny * ee || n2n2 < tiny * ee) return {};
+    constexpr double flat = leastHeight * leastHeight;
+    if (ee < tiny || n1n1 < flat * ee * ee || n2n2 < flat * ee * ee) return {};
     FoldAngle fold;
     fold.angle = std::atan2(dot(e, cross(n2, n1)), length * dot(n1, n2));
     const Vec3 atC = n1 * (length / n1n1), atD = n2 * (length / n2n2);

@@ -117,7 +117,7 @@ void addHinge(const Hinge& hinge, Positions x, HessianForm form, HessianSink& si
     const std::array<int, 4> particles{hinge.a, hinge.b, hinge.c, hinge.d};
     const Vec3 &a = x[hinge.a], &b = x[hinge.b], &c = x[hinge.c], &d = x[hinge.d];
     const FoldAngle fold = foldAngle(a, b, c, d);
-    if (fold.gradient[2] == Vec3{}) return; // a triangle without area bends nothing
+    if (fold.gradient[2] == Vec3{}) return; // a triangle without a plane bends nothing
     Eigen::Matrix<double, 12, 1> gradient;
     for (int i = 0; i < 12; ++i) gradient[i] = fold.gradient[i / 3][i % 3];
     Eigen::Matrix<double, 12, 12> h = hinge.stiffness * gradient * gradient.transpose();

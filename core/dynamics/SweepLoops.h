@@ -5,6 +5,7 @@
 #endif
 #define TOILE_SWEEP_LOOPS
 
+#include "core/cloth/FoldAngle.h"
 #include "core/cloth/Forces.h"
 #include "core/dynamics/SweepKernels.h"
 #include "core/dynamics/SweepLanes.h"
@@ -256,9 +257,9 @@ void sweepCells(Place* places, std::span<const FourCells> cells, double cap, con
     }
 }
 
-/// As cloth::foldAngle has it; a hinge of which a triangle has no area is left alone.
+/// As cloth::foldAngle has it; a hinge of which a triangle has no plane is left alone.
 void sweepHinges(Place* places, std::span<const FourHinges> hinges, double cap) {
-    const Four one = all(1), tiny = all(1e-30);
+    const Four one = all(1), tiny = all(1e-30), leastPlane = all(cloth::leastHeight * cloth::leastHeight);
     for (const FourHinges& h : hinges) {
         Corners corners[4];
         for (int i = 0; i < 4; ++i) corners[i] = gather(places, h.particles[i]);
@@ -266,7 +267,7 @@ void sweepHinges(Place* places, std::span<const FourHinges> hinges, double cap) 
         const Vectors toC = corners[2].at - corners[0].at, toD = corners[3].at - corners[0].at;
         const Vectors n1 = cross(e, toC), n2 = cross(toD, e);
         const Four ee = dot(e, e), n1n1 = dot(n1, n1), n2n2 = dot(n2, n2), length = squareRoot(ee);
-        const FourFlags flat = (ee < tiny) | (n1n1 < tiny * ee) | (n2n2 < tiny * ee);
+        const FourFlags flat = (ee < tiny) | (n1n1 < leastPlane * ee * ee) | (n2n2 < leastPlane * ee * ee);
         const Four sine = dot(e, cross(n2, n1)), cosine = length * dot(n1, n2), rest = load(h.restAngle);
         Four angle{};
         for (int i = 0; i < 4; ++i) {

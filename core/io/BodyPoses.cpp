@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fmt/format.h>
 #include <map>
 #include <tuple>
@@ -81,7 +82,9 @@ Result<std::vector<fs::path>> posesIn(const fs::path& folder) {
     if (files.size() < 2)
         return fail(ErrorCode::invalidInput, "Holds no two models: a motion needs two poses at least.",
                     {.file = folder.string()});
-    std::ranges::sort(files);
+    std::ranges::sort(files, [](const fs::path& a, const fs::path& b) {
+        return strverscmp(a.filename().c_str(), b.filename().c_str()) < 0;
+    });
     return files;
 }
 

@@ -8,8 +8,8 @@
 
 namespace toile::io {
 
-/// The models in a folder in the order of their names: the poses of a motion. Error: fewer than two, or none can be
-/// looked for.
+/// The models in a folder in the order of their names, pose2 before pose10: the poses of a motion. Error: fewer than
+/// two, or none can be looked for.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> posesIn(const std::filesystem::path& folder);
 
 /// A motion of a body by the posesIn() a folder, each with the same vertices in

@@ -196,8 +196,12 @@ private:
     }
 
     void take(std::shared_ptr<const geometry::VertexMotion> motion) {
-        if (!stands()) return;
-        if (const auto moved = simulation_->moveBody(std::move(motion)); !moved) return publish(moved.error().text);
+        const auto moved = stands() ? simulation_->moveBody(std::move(motion))
+                                    : fail(ErrorCode::invalidInput, "There is no garment on a body that could move.");
+        if (!moved) {
+            playsWithBody_ = false;
+            return publish(moved.error().text);
+        }
         resting_ = false;
         finish_ = Finish::none;
         attempts_ = 0;

@@ -93,6 +93,16 @@ private slots:
         QVERIFY2(worst < 1e-6 * largest, qPrintable(QString("%1 of %2").arg(worst).arg(largest)));
     }
 
+    /// It would drown all else in the matrix, so that nothing could be solved.
+    void aHingeOfATriangleThatHasCollapsedBendsNothing() {
+        auto [model, x] = caseOf("hinge");
+        x[2] = x[0] + (x[1] - x[0]) * 0.3 + Vec3{1e-9, 0, 0};
+        DenseSink hessian(4);
+        cloth::addHessian(model, x, cloth::HessianForm::projected, hessian);
+        QCOMPARE(std::ranges::max(hessian.values), 0.0);
+        QCOMPARE(forcesOf(model, x), std::vector<Vec3>(4));
+    }
+
     void hessianIsTheDerivativeOfForce_data() { kinds(); }
     void hessianIsTheDerivativeOfForce() {
         QFETCH(QString, kind);

@@ -10,6 +10,7 @@ class tst_RunnerMotion : public QObject {
 private slots:
     void theBodyMovesAndClothThatRestedGoesAlong();
     void aMotionThatIsRefusedIsSaidAndMovesNothing();
+    void aMotionForAGarmentThatCannotBeBuiltIsRefused();
     void anotherMethodTakesOver();
     void aMethodWaitsUntilTheBodyStandsStill();
 };
@@ -73,6 +74,21 @@ void tst_RunnerMotion::aMotionThatIsRefusedIsSaidAndMovesNothing() {
         return !frame.message.empty();
     });
     QVERIFY(seen);
+}
+
+void tst_RunnerMotion::aMotionForAGarmentThatCannotBeBuiltIsRefused() {
+    Runner runner;
+    Scene scene = twoSquares(0.05);
+    scene.body = Shared<body::Body>(box());
+    const std::vector<Vec3>& vertices = (*scene.body)->mesh.vertices;
+    scene.pattern.seams[0].sides[0][0].edge = pattern::EdgeId("none");
+    runner.setScene(scene, 1);
+    QVERIFY(waitForFrame(runner, [](const Frame& frame) { return !frame.message.empty(); }));
+    QVERIFY(QTest::qWaitFor([&] { return !runner.isBusy(); }, 60000));
+    runner.moveBody(std::make_shared<const geometry::VertexMotion>(geometry::VertexMotion{0.2, {vertices, vertices}}));
+    const auto frame = waitForFrame(runner, [](const Frame& f) { return !f.message.empty(); });
+    QVERIFY(frame && frame->message.find("no garment on a body") != std::string::npos);
+    QVERIFY(!runner.isPlaying());
 }
 
 namespace {
