@@ -54,6 +54,14 @@ struct ContactReport {
     int contacts = 0;              ///< samples at their target distance, to within 0.1 mm
 };
 
+/// What the samples of a contact know of the forces they bear. It goes on by it as if it had never been made anew.
+struct ContactMemory {
+    std::vector<double> forces;    ///< by which they are pressed [N]; empty: nothing is known
+    std::vector<double> takenBack; ///< by which statics has them kept farther [m]
+    std::vector<Vec3> anchors;     ///< that friction pulls back to [m]; empty: it has not been fixed
+    friend bool operator==(const ContactMemory&, const ContactMemory&) = default;
+};
+
 /// Contact of cloth with a body: the distance of skin offset + half thickness is kept, and
 /// tangential motion is resisted by Coulomb friction, which sticks exactly. A body may move while steps are
 /// position-based. docs/collision.md
@@ -86,6 +94,13 @@ public:
     /// All samples pressed at once, dented by at most 0.4 mm (500 Pa on 0.1 kg/m²): friction is as stiff as that.
     [[nodiscard]] double largestFrequencySquared() const override;
 
+    /// For another contact of the same samples.
+    [[nodiscard]] ContactMemory memory() const;
+    /// False and nothing done: it is of other samples.
+    bool recall(const ContactMemory& memory);
+    /// Takes over what another knows of the same samples, as far as these are the same. Cloth lies at the positions.
+    void goOnFrom(const BodyContact& before, std::span<const Vec3> positions);
+
     /// Asks the body for every sample: for reports, not for every step.
     [[nodiscard]] ContactReport report(std::span<const Vec3> positions) const;
     /// Smallest signed distance of a sample to the body's surface [m].
@@ -97,6 +112,7 @@ private:
     struct Term {
         int particle = 0;
         double weight = 0;
+        friend bool operator==(const Term&, const Term&) = default;
     };
     struct Sample {
         int firstTerm = 0, termCount = 0;
@@ -133,6 +149,7 @@ private:
     [[nodiscard]] double pressedIn(const Sample& sample, const Vec3& normal, const Substep& substep) const;
     void press(int particle, const Vec3& push, double cancels);
     void rub(int particle, Substep& substep) const;
+    Pushing& pushing();
     [[nodiscard]] double dentOf(const Sample& sample, double distance) const;
     [[nodiscard]] std::optional<collision::SmoothValue> dentingAt(int sample, const Vec3& now) const;
     [[nodiscard]] Vec3 slipOf(int sample, const Vec3& now) const;
@@ -149,6 +166,7 @@ private:
     collision::MovingSurface* motion_ = nullptr; ///< null: the body stands still
     std::unique_ptr<Pushing> pushing_;
     bool beginsStatics_ = false; ///< friction has not been fixed since
+    bool recalled_ = false;      ///< the same
     int takings_ = 0;            ///< how often dents will be taken back still
 };
 

@@ -51,15 +51,21 @@ void BodyContact::beginStep(const ParticleState& state, double) {
     }
 }
 
-void BodyContact::fixFriction(std::span<const Vec3> positions) {
+BodyContact::Pushing& BodyContact::pushing() {
     if (!pushing_)
         pushing_.reset(new Pushing{collision::SmoothDistance(tracker_.body(), settings_.lattice),
                                    std::vector<collision::SmoothDistance::Patch>(samples_.size()),
                                    {},
                                    {}});
-    const bool first = pushing_->anchors.empty();
-    // The mean force of the substeps is better than that of one place; statics that goes on knows its own.
-    const bool begins = std::exchange(beginsStatics_, false) || first;
+    return *pushing_;
+}
+
+void BodyContact::fixFriction(std::span<const Vec3> positions) {
+    const bool first = pushing().anchors.empty();
+    // The mean force of the substeps is better than that of one place; statics that goes on knows its own, and so does
+    // what was recalled.
+    const bool knows = std::exchange(recalled_, false);
+    const bool begins = std::exchange(beginsStatics_, false) || first || knows;
     const bool takesBack = !begins && takings_ > 0;
     if (takesBack) --takings_;
     for (int s = 0; s < static_cast<int>(samples_.size()); ++s) {
@@ -81,11 +87,11 @@ void BodyContact::fixFriction(std::span<const Vec3> positions) {
 }
 
 /// A few times and no farther than the push has its full stiffness: between two limbs there may be no place for the
-/// cloth, and it would be kept farther for ever. Statics that goes on from where it ended begins with what it knew.
+/// cloth, and it would be kept farther for ever. What goes on from where statics ended begins with what it knew.
 void BodyContact::take(const Motion& motion) {
     beginsStatics_ = motion.span == 0;
     takings_ = beginsStatics_ ? settings_.takings : 0;
-    if (beginsStatics_ && pushing_ && !pushing_->anchors.empty()) return;
+    if (pushing_ && !pushing_->anchors.empty()) return;
     for (Sample& sample : samples_) sample.takenBack = 0;
 }
 

@@ -18,6 +18,12 @@ constexpr std::uint64_t largestCheckpoint = std::uint64_t{1} << 30; ///< [bytes]
 
 constexpr double longest = 1e9; ///< [s], some 30 years: still a frame step later than itself
 
+Json numbersOf(const std::vector<double>& values) {
+    Json::Array numbers;
+    for (const double value : values) numbers.emplace_back(value);
+    return numbers;
+}
+
 Json vectorsOf(const std::vector<Vec3>& vectors) {
     Json::Array numbers;
     for (const Vec3& v : vectors)
@@ -63,11 +69,9 @@ Checkpoint::Seam seamOf(JsonNode& node) {
 }
 
 Json jsonOf(const Checkpoint::Seam& seam) {
-    Json::Array gaps;
-    for (const double gap : seam.gaps) gaps.emplace_back(gap);
     Json json;
     json.set("merged", seam.merged).set("initialGap", seam.initialGap).set("gapAtMerge", seam.gapAtMerge);
-    json.set("start", seam.start).set("gaps", std::move(gaps));
+    json.set("start", seam.start).set("gaps", numbersOf(seam.gaps));
     return json;
 }
 
@@ -84,6 +88,25 @@ Json jsonOf(const Checkpoint::Tack& tack) {
     return json.set("start", tack.start).set("startGap", tack.startGap);
 }
 
+Json jsonOf(const dynamics::ContactMemory& contact) {
+    Json json;
+    json.set("forces", numbersOf(contact.forces)).set("takenBack", numbersOf(contact.takenBack));
+    return json.set("anchors", vectorsOf(contact.anchors));
+}
+
+/// Of samples [N] or [m]; no such number is negative.
+std::vector<double> amountsOf(const JsonNode& node) {
+    std::vector<double> amounts;
+    for (const JsonNode& item : node.items()) amounts.push_back(numberFrom(item, 0));
+    return amounts;
+}
+
+dynamics::ContactMemory contactOf(JsonNode& node) {
+    return {.forces = amountsOf(node.required("forces")),
+            .takenBack = amountsOf(node.required("takenBack")),
+            .anchors = vectorsOf(node.required("anchors"))};
+}
+
 } // namespace
 
 Result<void> writeCheckpoint(const Checkpoint& point, const std::string& path) {
@@ -96,6 +119,7 @@ Result<void> writeCheckpoint(const Checkpoint& point, const std::string& path) {
     json.set("largestSpeed", point.largestSpeed).set("goesOnAsItLay", point.goesOnAsItLay);
     json.set("seams", std::move(seams)).set("tacks", std::move(tacks));
     json.set("positions", vectorsOf(point.positions)).set("velocities", vectorsOf(point.velocities));
+    if (!point.contact.forces.empty()) json.set("contact", jsonOf(point.contact));
     return writeFileAtomically(path, toText(json));
 }
 
@@ -122,6 +146,7 @@ Result<Checkpoint> readCheckpoint(const std::string& path) {
     for (JsonNode& tack : root["tacks"].items()) point.tacks.push_back(tackOf(tack));
     point.positions = vectorsOf(root.required("positions"));
     point.velocities = vectorsOf(root.required("velocities"));
+    if (JsonNode contact = root["contact"]; contact.exists()) point.contact = contactOf(contact);
     if (reading.error) return tl::unexpected(*reading.error);
     return point;
 }

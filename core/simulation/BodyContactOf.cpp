@@ -139,4 +139,8 @@ std::unique_ptr<dynamics::Stage> bodyContactOf(const Scene& scene, const Garment
     return std::make_unique<dynamics::BodyContact>(body, std::move(samples), settings);
 }
 
+dynamics::BodyContact* bodyContactIn(const StepPlan& plan) {
+    return dynamic_cast<dynamics::BodyContact*>(plan.find("body contact"));
+}
+
 } // namespace toile::simulation

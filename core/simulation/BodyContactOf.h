@@ -2,9 +2,10 @@
 #pragma once
 
 #include "core/collision/BodySurface.h"
-#include "core/dynamics/Stage.h"
+#include "core/dynamics/BodyContact.h"
 #include "core/simulation/Garment.h"
 #include "core/simulation/Scene.h"
+#include "core/simulation/StepPlan.h"
 
 #include <memory>
 #include <span>
@@ -18,5 +19,8 @@ namespace toile::simulation {
 [[nodiscard]] std::unique_ptr<dynamics::Stage> bodyContactOf(const Scene& scene, const Garment& garment,
                                                              const collision::BodySurface& body,
                                                              std::span<const Vec3> positions, bool bearsLayers = false);
+
+/// The stage of a plan that is contact with the body; null: it has none.
+[[nodiscard]] dynamics::BodyContact* bodyContactIn(const StepPlan& plan);
 
 } // namespace toile::simulation

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dynamics/Stage.h"
+#include "core/dynamics/BodyContact.h"
 #include "core/simulation/Garment.h"
 #include "core/simulation/Phase.h"
 #include "core/simulation/Scene.h"
@@ -30,15 +30,16 @@ struct Checkpoint {
     double time = 0;   ///< [s]
     int steps = 0;
     Phase phase = Phase::sewing;
-    std::string method;           ///< that the last frame step was made with; empty = none was
-    double sewnTime = 0;          ///< when the last seam was closed or given up [s]
-    double restingTime = 0;       ///< [s]
-    double largestSpeed = 0;      ///< [m/s]
-    bool goesOnAsItLay = false;   ///< after an edit
-    std::vector<Seam> seams;      ///< as the pattern has them
-    std::vector<Tack> tacks;      ///< the same
-    std::vector<Vec3> positions;  ///< of particles [m]
-    std::vector<Vec3> velocities; ///< [m/s]
+    std::string method;              ///< that the last frame step was made with; empty = none was
+    double sewnTime = 0;             ///< when the last seam was closed or given up [s]
+    double restingTime = 0;          ///< [s]
+    double largestSpeed = 0;         ///< [m/s]
+    bool goesOnAsItLay = false;      ///< after an edit
+    std::vector<Seam> seams;         ///< as the pattern has them
+    std::vector<Tack> tacks;         ///< the same
+    std::vector<Vec3> positions;     ///< of particles [m]
+    std::vector<Vec3> velocities;    ///< [m/s]
+    dynamics::ContactMemory contact; ///< with the body
     friend bool operator==(const Checkpoint&, const Checkpoint&) = default;
 };
 

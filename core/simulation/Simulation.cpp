@@ -2,6 +2,7 @@
 #include "core/simulation/Simulation.h"
 
 #include "core/simulation/AirOf.h"
+#include "core/simulation/BodyContactOf.h"
 #include "core/simulation/CarryOver.h"
 #include "core/simulation/LayersApart.h"
 #include "core/simulation/LevelsOf.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
+#include <utility>
 
 namespace toile::simulation {
 namespace {
@@ -160,8 +162,12 @@ void Simulation::rebuildPlan() {
     addCosts(formerCosts_, plan_.costs());
     Scene now = scene_;
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
-    plan_ = planOf(now, *garment_, body_.get(), carriedAlong(), std::move(pairs), tacks_, grips_, state_.positions,
-                   forced_, phase_);
+    const StepPlan before = std::exchange(plan_, planOf(now, *garment_, body_.get(), carriedAlong(), std::move(pairs),
+                                                        tacks_, grips_, state_.positions, forced_, phase_));
+    const auto* touched = bodyContactIn(before);
+    auto* touches = bodyContactIn(plan_);
+    if (touches && touched && plannedFor_ == garment_.get()) touches->goOnFrom(*touched, state_.positions);
+    plannedFor_ = garment_.get();
     followBody();
     plannedDamping_ = damping();
     safe_.reset();
@@ -179,6 +185,11 @@ void Simulation::rebuildPlan() {
     if (phase_ == Phase::sewing || !drapingMethod_ || *drapingMethod_ == dynamics::Method::xpbd) return;
     if (!phases_.empty() && phases_.back().method == dynamics::nameOf(dynamics::Method::xpbd)) calmingFrames_ = calming;
     integrator_ = integratorOf(calmingFrames_ > 0 ? dynamics::Method::backwardEuler : *drapingMethod_);
+}
+
+dynamics::ContactMemory Simulation::contactMemory() const {
+    const auto* contact = bodyContactIn(plan_);
+    return contact ? contact->memory() : dynamics::ContactMemory{};
 }
 
 /// Substeps of position-based steps, and the coarse levels that make them few.
@@ -319,10 +330,12 @@ Result<void> Simulation::advance(std::stop_token stop) {
         return {};
     }
     const dynamics::ParticleState before = state_;
+    const dynamics::ContactMemory contactBefore = contactMemory();
     const auto stepped = moveCloth(duration, stop);
     if (!stepped) {
         state_ = before;
         if (motion_) motion_->moveTo(state_.time);
+        if (auto* contact = bodyContactIn(plan_)) (void)contact->recall(contactBefore);
         rebuildPlan(); // stages remember of the way that was not gone
         return tl::unexpected(stepped.error());
     }

@@ -6,6 +6,7 @@
 #include "core/base/TeamTrial.h"
 #include "core/collision/BodySurface.h"
 #include "core/collision/MovingSurface.h"
+#include "core/dynamics/BodyContact.h"
 #include "core/dynamics/CoarseLevels.h"
 #include "core/dynamics/EnergyWatch.h"
 #include "core/dynamics/Method.h"
@@ -187,6 +188,7 @@ private:
     void pinToBody();
     [[nodiscard]] std::unique_ptr<BodyPins> carriedAlong() const;
     void followBody();
+    [[nodiscard]] dynamics::ContactMemory contactMemory() const;
     void standStill();
     void noteBody();
     [[nodiscard]] Result<dynamics::StepReport> moveBesideBody(double duration, std::stop_token stop);
@@ -238,6 +240,7 @@ private:
     std::shared_ptr<std::vector<Grip>> grips_; ///< never null; the plan's stage reads it
     std::vector<std::string> forced_;          ///< stages that are built without need
     StepPlan plan_;
+    const Garment* plannedFor_ = nullptr; ///< the garment that the plan is of
     MeshOverrides overrides_;
     std::unique_ptr<dynamics::CoarseLevels> levels_; ///< of this garment; null until they are needed
     std::string whyNoLevels_;                        ///< it has none; empty = it has, or none were asked for

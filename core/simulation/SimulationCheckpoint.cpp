@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/BodyContactOf.h"
 #include "core/simulation/Simulation.h"
 
 #include <fmt/format.h>
@@ -17,7 +18,8 @@ Checkpoint Simulation::checkpoint() {
                      .largestSpeed = largestSpeed_,
                      .goesOnAsItLay = goesOnAsItLay_,
                      .positions = state_.positions,
-                     .velocities = state_.velocities};
+                     .velocities = state_.velocities,
+                     .contact = contactMemory()};
     for (std::size_t seam = 0; seam < seams_.size(); ++seam)
         point.seams.push_back(
             {seams_[seam].merged, seams_[seam].initialGap, seams_[seam].gapAtMerge, seamStart_[seam], seamGaps_[seam]});
@@ -78,6 +80,8 @@ Result<Simulation> Simulation::resumed(Scene scene, const MeshOverrides& overrid
         to.startGap = from.startGap;
     }
     after.rebuildPlan();
+    if (auto* contact = bodyContactIn(after.plan_); contact && !point.contact.forces.empty())
+        if (!contact->recall(point.contact)) return refused("its cloth touches the body at other places");
     return after;
 }
 

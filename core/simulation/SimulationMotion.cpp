@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/dynamics/BodyContact.h"
+#include "core/simulation/BodyContactOf.h"
 #include "core/simulation/Simulation.h"
 
 #include <algorithm>
@@ -45,8 +45,7 @@ double Simulation::farthestOffItsPin() const {
 }
 
 void Simulation::followBody() {
-    auto* contact = dynamic_cast<dynamics::BodyContact*>(plan_.find("body contact"));
-    if (motion_ && contact) contact->follow(*motion_);
+    if (auto* contact = bodyContactIn(plan_); motion_ && contact) contact->follow(*motion_);
 }
 
 /// The surface stays the one that moved: cloth that was flung by it still wants a closer look.

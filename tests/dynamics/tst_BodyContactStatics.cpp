@@ -58,6 +58,8 @@ private slots:
     void aSheetDrapesOverABallAndStaysOutsideInStatics();
     void whatPressesHardRestsAtItsDistance_data();
     void whatPressesHardRestsAtItsDistance();
+    void whatIsRecalledGoesOnAsItWas();
+    void anotherContactGoesOnAsFarAsItsSamplesAreTheSame();
     void inAGrooveAParticleComesToRest();
 };
 
@@ -213,6 +215,86 @@ void tst_BodyContactStatics::whatPressesHardRestsAtItsDistance() {
         QVERIFY2(dent > least && dent < most, qPrintable(QString::number(dent)));
         if (again == 1) QVERIFY(xpbd.step(state, 1e-3, 1, load, stages)); // what was taken back is forgotten
     }
+}
+
+namespace {
+
+/// A sheet that is pressed on a floor, in balance by statics.
+struct PressedSheet {
+    cloth::ClothModel model;
+    BodySurface floor = surfaceOf(shapes::plane(0.5, 2));
+    dynamics::ParticleState state;
+    std::vector<ContactSample> samples;
+    Vec3 load{0, -20 * gravity, 0};
+
+    PressedSheet() {
+        const auto patch = fixtures::gridPatch(fixtures::evenLines(0.1, 8), fixtures::evenLines(0.1, 8));
+        if (!cloth::appendPatch(model, patch, material::Fabric{})) qFatal("no cloth");
+        for (const Vec2& m : patch.material) state.positions.push_back({m.x, target, m.y});
+        state.velocities.resize(state.positions.size());
+        const std::vector<double> half(model.mass.size(), 0.0002), mu(model.mass.size(), 0.4);
+        samples = dynamics::particleSamples(model, half, mu, 0.4);
+    }
+    /// How many iterations it took.
+    int settle(BodyContact& contact) {
+        dynamics::Stage* stages[]{&contact};
+        const auto report = dynamics::solveStatic(model, state, load, stages);
+        if (!report || !report->newton.converged) qFatal("no balance");
+        return report->newton.iterations;
+    }
+};
+
+} // namespace
+
+void tst_BodyContactStatics::whatIsRecalledGoesOnAsItWas() {
+    PressedSheet sheet;
+    BodyContact contact(sheet.floor, sheet.samples), knows(sheet.floor, sheet.samples),
+        knowsNothing(sheet.floor, sheet.samples);
+    QVERIFY(sheet.settle(contact) > 0);
+    const dynamics::ContactMemory memory = contact.memory();
+    QVERIFY(std::ranges::max(memory.forces) > 0 && std::ranges::max(memory.takenBack) > 0);
+    QVERIFY(knows.recall(memory));
+    QVERIFY(knows.memory() == memory);
+    const std::vector<Vec3> rested = sheet.state.positions;
+    QCOMPARE(sheet.settle(knows), 0);
+    QVERIFY(sheet.state.positions == rested);
+    QVERIFY(sheet.settle(knowsNothing) > 0);
+
+    std::vector<ContactSample> fewer = sheet.samples;
+    fewer.pop_back();
+    BodyContact other(sheet.floor, fewer);
+    const dynamics::ContactMemory none = other.memory();
+    QVERIFY(!other.recall(memory));
+    QVERIFY(other.memory() == none);
+}
+
+void tst_BodyContactStatics::anotherContactGoesOnAsFarAsItsSamplesAreTheSame() {
+    PressedSheet sheet;
+    std::vector<ContactSample> more = sheet.samples;
+    const auto middle = [&](int a, int b) {
+        return dynamics::middleOf(std::array<const ContactSample*, 2>{&sheet.samples[a], &sheet.samples[b]});
+    };
+    more.push_back(middle(0, 1));
+    more.push_back(middle(1, 2));
+    BodyContact contact(sheet.floor, more);
+    (void)sheet.settle(contact);
+    const dynamics::ContactMemory before = contact.memory();
+    const std::size_t same = sheet.samples.size() + 1;
+    QVERIFY(before.forces.back() > 0);
+
+    more.back() = middle(3, 4);
+    more.push_back(middle(5, 6));
+    BodyContact next(sheet.floor, more);
+    next.goOnFrom(contact, sheet.state.positions);
+    const dynamics::ContactMemory after = next.memory();
+    QCOMPARE(after.forces.size(), more.size());
+    for (std::size_t s = 0; s < more.size(); ++s) {
+        QCOMPARE(after.forces[s], s < same ? before.forces[s] : 0);
+        QCOMPARE(after.takenBack[s], s < same ? before.takenBack[s] : 0);
+        if (s < same) QCOMPARE(after.anchors[s], before.anchors[s]);
+    }
+    const Vec3 between = 0.5 * (sheet.state.positions[5] + sheet.state.positions[6]);
+    QVERIFY(geometry::distance(after.anchors.back(), between) < 1e-15);
 }
 
 /// Where the nearest wall changes, the distance to triangles has a kink that draws a particle into it from both sides.

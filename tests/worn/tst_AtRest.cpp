@@ -56,7 +56,6 @@ private slots:
             farthest = std::max(farthest, farthestMove(resting, undamped->state().positions));
         }
         qInfo("farthest %.1f mm from where it rested", 1000 * farthest);
-        QEXPECT_FAIL("blouse", "It slips by 8 mm in the first frame steps (docs/simulation.md).", Continue);
         QVERIFY2(farthest < 0.001, qPrintable(QString("%1 mm").arg(1000 * farthest)));
     }
 };

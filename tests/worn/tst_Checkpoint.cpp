@@ -131,6 +131,10 @@ void tst_Checkpoint::aCheckpointOfAnotherSceneIsRefused() {
     Scene fewer = shirt();
     fewer.pattern.seams.pop_back();
     QVERIFY(whyNot(fewer).find("seams") != std::string::npos);
+    Checkpoint elsewhere = point;
+    elsewhere.contact.forces.push_back(0);
+    const auto resumed = Simulation::resumed(shirt(), {}, elsewhere);
+    QVERIFY(!resumed && toString(resumed.error()).find("touches the body") != std::string::npos);
 }
 
 void tst_Checkpoint::aCheckpointOfAKnitOfAnotherTensionIsRefused() {
@@ -171,6 +175,8 @@ void tst_Checkpoint::aBrokenFileIsRefusedWithItsField_data() {
         << QByteArray("\"sewnTime\": 0,") << QByteArray("\"sewnTime\": -1,") << QByteArray(": sewnTime: ");
     QTest::newRow("a gap below nothing") << QByteArray("\"gapAtMerge\": 0,") << QByteArray("\"gapAtMerge\": -1,")
                                          << QByteArray("seams[0].gapAtMerge: ");
+    QTest::newRow("a force that pulls") << QByteArray("\"forces\": [") << QByteArray("\"forces\": [-1,")
+                                        << QByteArray("contact.forces[0]");
     QTest::newRow("a seam that is never to close")
         << QByteArray("\"start\": 0,") << QByteArray("\"start\": 1e300,") << QByteArray("seams[0].start: ");
 }
