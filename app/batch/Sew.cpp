@@ -19,7 +19,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <numbers>
 
 namespace toile::batch {
@@ -81,12 +83,23 @@ Json reportJson(const SewOptions& options, const OpenedScene& opened, const Outc
     return json.set("frames", outcome.frames ? simulation::toJson(*outcome.frames) : Json());
 }
 
-/// "sewing by xpbd, draping by trbdf2"
+/// "sewing by xpbd, draping by rk4 (stable in steps of up to 0.1 ms, of which it took 8000)"
 std::string methodsOf(const simulation::SewReport& report) {
     std::string text;
-    for (const simulation::PhaseRun& phase : report.phases)
+    for (const simulation::PhaseRun& phase : report.phases) {
         text += fmt::format("{}{} by {}", text.empty() ? "" : ", ", nameOf(phase.phase), phase.method);
+        if (std::isfinite(phase.steps.limit))
+            text += fmt::format(" (stable in steps of up to {:.3g} ms, of which it took {})", 1000 * phase.steps.limit,
+                                phase.steps.parts);
+    }
     return text;
+}
+
+/// "left out: wind, pressure"
+void printLeftOut(const std::vector<simulation::LeftOut>& leftOut) {
+    std::vector<std::string_view> stages;
+    for (const simulation::LeftOut& left : leftOut) stages.push_back(left.stage);
+    if (!stages.empty()) fmt::print("left out: {}\n", fmt::join(stages, ", "));
 }
 
 double degrees(double radians) {
@@ -120,6 +133,7 @@ void printSummary(const simulation::SewReport& report, const SewOptions& options
         fmt::print("{}\n", report.worn->worn ? "worn" : "not worn:");
         for (const std::string& why : report.worn->why) fmt::print("  {}\n", oneLine(why));
     }
+    printLeftOut(report.leftOut);
     printWarnings(report.warnings);
 }
 

@@ -31,6 +31,7 @@ StepReport& StepReport::operator+=(const StepReport& more) {
     repeated += more.repeated;
     accurate = accurate && more.accurate;
     residual = std::max(residual, more.residual);
+    limit = std::min(limit, more.limit);
     return *this;
 }
 

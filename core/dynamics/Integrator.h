@@ -24,6 +24,7 @@ struct StepReport {
     int repeated = 0;              ///< parts that failed and were made again, smaller or by a safer method
     bool accurate = true;          ///< false: a part at the smallest step missed its tolerance and was taken as it was
     double residual = 0;           ///< largest unsolved force of a part over the mean particle weight [–]
+    double limit = std::numeric_limits<double>::infinity(); ///< of explicit methods, the longest stable part [s]
 
     StepReport& operator+=(const StepReport& more);
 };

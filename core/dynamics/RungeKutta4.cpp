@@ -11,7 +11,8 @@ double RungeKutta4::stepLimit(std::span<const Vec3> positions, std::span<Stage* 
 
 Result<StepReport> RungeKutta4::advance(ParticleState& state, double duration, const Vec3& gravity,
                                         std::span<Stage* const> stages, std::stop_token stop) {
-    const auto parts = explicitParts(duration, settings_.safety * stepLimit(state.positions, stages), 1);
+    const double limit = stepLimit(state.positions, stages);
+    const auto parts = explicitParts(duration, settings_.safety * limit, 1);
     if (!parts) return tl::unexpected(parts.error());
     for (Stage* stage : stages) stage->beginStep(state, duration);
     const double h = duration / *parts;
@@ -40,7 +41,7 @@ Result<StepReport> RungeKutta4::advance(ParticleState& state, double duration, c
         eliminated().place(state.velocities);
         hold(start.positions, state, h, stages);
     }
-    return StepReport{.parts = *parts};
+    return StepReport{.parts = *parts, .limit = limit};
 }
 
 } // namespace toile::dynamics

@@ -131,6 +131,7 @@ Result<StepReport> SubcycledEuler::advance(ParticleState& state, double duration
         withStages_ = !stages.empty();
         sortInto(partsNeeded_, withStages_);
     }
+    const double limit = stepLimit(state.positions, stages);
     for (Stage* stage : stages) stage->beginStep(state, duration);
     const int highest = static_cast<int>(levels_.size()) - 1, ticks = parts_ << highest;
     const double shortest = duration / ticks;
@@ -155,7 +156,7 @@ Result<StepReport> SubcycledEuler::advance(ParticleState& state, double duration
     }
     eliminated().place(state.positions);
     eliminated().place(state.velocities);
-    return StepReport{.parts = ticks};
+    return StepReport{.parts = ticks, .limit = limit};
 }
 
 } // namespace toile::dynamics

@@ -34,7 +34,7 @@ Result<StepReport> SymplecticEuler::advance(ParticleState& state, double duratio
         eliminated().place(state.velocities);
         hold(from, state, h, stages);
     }
-    return StepReport{.parts = *parts};
+    return StepReport{.parts = *parts, .limit = limit};
 }
 
 } // namespace toile::dynamics

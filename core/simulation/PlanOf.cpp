@@ -33,11 +33,13 @@ void leaveOutElements(StepPlan& plan, const Garment& garment) {
     if (model.slaves.empty()) plan.leaveOut("slaves", "one spacing in every piece");
     if (model.pinned.empty()) plan.leaveOut("pins", "nothing is pinned");
     if (garment.paper) {
-        for (const char* element : {"membrane cells", "membrane triangles", "bending", "twist", "folds", "seam hinges"})
+        for (const char* element :
+             {"elastics", "membrane cells", "membrane triangles", "bending", "twist", "folds", "seam hinges"})
             plan.leaveOut(element, "the paper has springs alone");
         return;
     }
     if (model.structural.empty()) plan.leaveOut("springs", "no woven piece");
+    if (model.elastics.empty()) plan.leaveOut("elastics", "no seam that is merged has one");
     if (model.cells.empty()) plan.leaveOut("membrane cells", "no knit");
     if (model.triangles.empty()) plan.leaveOut("membrane triangles", "rectangles only");
     if (model.bending.empty()) plan.leaveOut("bending", "no bending stiffness");

@@ -2,6 +2,7 @@
 #include "core/simulation/Sew.h"
 #include "core/simulation/Wearing.h"
 
+#include <cmath>
 #include <numbers>
 
 namespace toile::simulation {
@@ -154,6 +155,7 @@ Json toJson(const SewReport& report) {
                  item.set("name", nameOf(phase.phase))
                      .set("method", std::string(phase.method))
                      .set("simulatedSeconds", phase.seconds);
+                 item.set("stepLimit", std::isfinite(phase.steps.limit) ? Json(phase.steps.limit) : Json());
                  item.set("parts", phase.steps.parts).set("newtonIterations", phase.steps.newtonIterations);
                  item.set("factorizations", phase.steps.factorizations)
                      .set("gradientIterations", phase.steps.gradientIterations);

@@ -288,6 +288,12 @@ void tst_SewCommand::everyMethodDrapesWhatXpbdHasSewn() {
     QVERIFY(phases.size() >= 2);
     QCOMPARE(QString::fromStdString(*phases.back().find("method")->asString()), method);
     QVERIFY(*phases.back().find("parts")->asNumber() >= 1);
+    const bool isExplicit = method == "rk4" || method == "symplectic-euler" || method == "subcycled-euler";
+    QCOMPARE(phases.back().find("stepLimit")->asNumber() != nullptr, isExplicit);
+    QCOMPARE(finished.out.contains("stable in steps of up to"), isExplicit);
+    QVERIFY(finished.out.contains("left out: "));
+    for (const Json& left : *json.find("leftOut")->asArray())
+        QVERIFY(finished.out.contains(QString::fromStdString(*left.find("stage")->asString())));
 }
 
 void tst_SewCommand::thePaperGoesItsOwnWayFromEndToEnd() {

@@ -109,6 +109,15 @@ Feature seamHinges(double spacing) {
              {Role::inUse, "a merged seam", merged, 0}}};
 }
 
+Feature elastics(double spacing) {
+    const Scene plain = sewn(facingSquares(spacing, 0));
+    Scene drawn = plain;
+    drawn.pattern.seams.front().elastic = pattern::Elastic{};
+    return {"elastics",
+            "elastics",
+            {{Role::absent, "a merged seam", plain}, {Role::inUse, "an elastic sewn into it", drawn, 0}}};
+}
+
 Feature folds(double spacing) {
     const Scene sheet = heldSheet(spacing);
     Scene pressed = sheet;
@@ -125,8 +134,8 @@ Feature folds(double spacing) {
 } // namespace
 
 std::vector<Feature> elementFeatures(double spacing) {
-    return {springs(spacing),    cells(spacing), triangles(spacing), bending(spacing), twist(spacing),
-            seamHinges(spacing), folds(spacing), slaves(spacing),    pins(spacing)};
+    return {springs(spacing),    cells(spacing),    triangles(spacing), bending(spacing), twist(spacing),
+            seamHinges(spacing), elastics(spacing), folds(spacing),     slaves(spacing),  pins(spacing)};
 }
 
 } // namespace toile::study::lean

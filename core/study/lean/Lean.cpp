@@ -28,6 +28,7 @@ std::optional<std::size_t> elementBytes(const cloth::ClothModel& model, std::str
     if (part == "slaves") return held(model.slaves);
     if (part == "pins") return held(model.pinned);
     if (part == "springs") return held(model.structural) + held(model.shear);
+    if (part == "elastics") return held(model.elastics);
     if (part == "membrane cells") return held(model.cells);
     if (part == "membrane triangles") return held(model.triangles);
     if (part == "bending") return held(model.bending);
