@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/DocumentEdits.h"
+#include "core/simulation/SceneCheck.h"
 #include "ui/panels/PropertySheet.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <cmath>
 
 namespace toile::ui {
 namespace {
@@ -83,6 +85,12 @@ PropertySheet sceneSheet(const Document& document) {
     number("bodyFriction", tr("Body friction"), Quantity::factor, &SceneSettings::bodyFriction, 0, 2, 0.05);
     number("seamTime", tr("Seam time"), Quantity::time, &SceneSettings::seamTime, 0.01, 30, 0.1,
            tr("In which the seams are drawn together."));
+    sheet.rows.push_back(
+        {QStringLiteral("substeps"), tr("Substeps"),
+         NumberRow{Quantity::count, double(scene.substeps), 0, simulation::mostSubsteps, 1,
+                   setting([](SceneSettings& s, double count) { s.substeps = static_cast<int>(std::lround(count)); })},
+         tr("Of a frame step, while cloth is simulated by positions; 0: as many as its longest thread "
+            "needs. Cloth is stiffer with more.")});
     sheet.rows.push_back({QStringLiteral("selfContact"), tr("Self-contact"),
                           FlagRow{scene.selfContact, setting([](SceneSettings& s, bool on) { s.selfContact = on; })}});
     return sheet;
