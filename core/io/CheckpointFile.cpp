@@ -16,7 +16,9 @@ using simulation::Checkpoint;
 constexpr int version = 1;
 constexpr std::uint64_t largestCheckpoint = std::uint64_t{1} << 30; ///< [bytes]; 100 000 particles have some 12 million
 
-constexpr double longest = 1e9; ///< [s], some 30 years: still a frame step later than itself
+constexpr double longest = 1e9;  ///< [s], some 30 years: still a frame step later than itself
+constexpr double farthest = 1e6; ///< of any coordinate [m], and fastest [m/s]
+constexpr double largest = std::numeric_limits<double>::max();
 
 Json numbersOf(const std::vector<double>& values) {
     Json::Array numbers;
@@ -31,12 +33,11 @@ Json vectorsOf(const std::vector<Vec3>& vectors) {
     return numbers;
 }
 
-double numberFrom(const JsonNode& node, double low, double high = std::numeric_limits<double>::max()) {
+double numberFrom(const JsonNode& node, double low, double high = largest) {
     const double value = node.number(low);
     if (value >= low && value <= high) return value;
-    node.refuse(high < std::numeric_limits<double>::max()
-                    ? fmt::format("Expected a number from {:g} to {:g}, but found {:g}.", low, high, value)
-                    : fmt::format("Expected a number that is not below {:g}, but found {:g}.", low, value));
+    node.refuse(high < largest ? fmt::format("Expected a number from {:g} to {:g}, but found {:g}.", low, high, value)
+                               : fmt::format("Expected a number that is not below {:g}, but found {:g}.", low, value));
     return low;
 }
 
@@ -45,14 +46,14 @@ double startFrom(const JsonNode& node) {
     return numberFrom(node, std::numeric_limits<double>::lowest(), longest);
 }
 
-std::vector<double> numbersOf(const JsonNode& node) {
+std::vector<double> numbersOf(const JsonNode& node, double low = -largest, double high = largest) {
     std::vector<double> numbers;
-    for (const JsonNode& item : node.items()) numbers.push_back(item.number());
+    for (const JsonNode& item : node.items()) numbers.push_back(numberFrom(item, low, high));
     return numbers;
 }
 
 std::vector<Vec3> vectorsOf(const JsonNode& node) {
-    const std::vector<double> numbers = numbersOf(node);
+    const std::vector<double> numbers = numbersOf(node, -farthest, farthest);
     if (numbers.size() % 3 != 0) node.refuse("Expected three numbers for each particle.");
     std::vector<Vec3> vectors;
     for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
@@ -94,16 +95,9 @@ Json jsonOf(const dynamics::ContactMemory& contact) {
     return json.set("anchors", vectorsOf(contact.anchors));
 }
 
-/// Of samples [N] or [m]; no such number is negative.
-std::vector<double> amountsOf(const JsonNode& node) {
-    std::vector<double> amounts;
-    for (const JsonNode& item : node.items()) amounts.push_back(numberFrom(item, 0));
-    return amounts;
-}
-
 dynamics::ContactMemory contactOf(JsonNode& node) {
-    return {.forces = amountsOf(node.required("forces")),
-            .takenBack = amountsOf(node.required("takenBack")),
+    return {.forces = numbersOf(node.required("forces"), 0),
+            .takenBack = numbersOf(node.required("takenBack"), 0),
             .anchors = vectorsOf(node.required("anchors"))};
 }
 

@@ -35,7 +35,11 @@ class tst_AtRest : public QObject {
 private slots:
     void anUndampedGarmentStaysWhereItRests_data() {
         QTest::addColumn<Scene>("scene");
-        QTest::newRow("blouse") << onBlouseWearer(blouseAt(0.028));
+        const Scene blouse = onBlouseWearer(blouseAt(0.028));
+        Scene layered = blouse;
+        layered.settings.selfContact = true;
+        QTest::newRow("blouse") << blouse;
+        QTest::newRow("blouse with self-contact") << layered;
         QTest::newRow("T-shirt") << onMannequin(
             samples::tShirt(mannequin().measurements, mannequin().body, {.spacing = 0.028}).value().pattern);
     }

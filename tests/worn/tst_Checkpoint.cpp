@@ -175,6 +175,8 @@ void tst_Checkpoint::aBrokenFileIsRefusedWithItsField_data() {
         << QByteArray("\"sewnTime\": 0,") << QByteArray("\"sewnTime\": -1,") << QByteArray(": sewnTime: ");
     QTest::newRow("a gap below nothing") << QByteArray("\"gapAtMerge\": 0,") << QByteArray("\"gapAtMerge\": -1,")
                                          << QByteArray("seams[0].gapAtMerge: ");
+    QTest::newRow("a place out of this world")
+        << QByteArray("\"positions\": [") << QByteArray("\"positions\": [1e20,") << QByteArray("positions[0]");
     QTest::newRow("a force that pulls") << QByteArray("\"forces\": [") << QByteArray("\"forces\": [-1,")
                                         << QByteArray("contact.forces[0]");
     QTest::newRow("a seam that is never to close")
