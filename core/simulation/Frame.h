@@ -29,7 +29,13 @@ struct FrameTopology {
     std::vector<int> triangleRegion;                    ///< −1 = main region
     std::vector<Vec2> material;                         ///< u weft, v warp of each vertex [m]
     std::vector<std::vector<std::array<int, 2>>> seams; ///< pairs of vertices, by seam of the pattern
-    std::vector<std::array<int, 2>> meshLines;          ///< edges of the scan-line mesh, for wireframes
+    struct PinnedVertex {
+        int vertex = 0;
+        bool toBody = false; ///< carried along where the body moves
+        friend bool operator==(const PinnedVertex&, const PinnedVertex&) = default;
+    };
+    std::vector<PinnedVertex> pins;            ///< of the pattern
+    std::vector<std::array<int, 2>> meshLines; ///< edges of the scan-line mesh, for wireframes
 };
 
 /// What statics does with a garment that came to rest (Runner::finishAtRest).

@@ -4,6 +4,7 @@
 #include "core/cloth/Patch.h"
 #include "core/pattern/PatternFabrics.h"
 #include "core/simulation/DrawnUp.h"
+#include "core/simulation/PinNodes.h"
 #include "core/simulation/SeamElastics.h"
 #include "core/simulation/SeamHinges.h"
 
@@ -40,18 +41,6 @@ cloth::Patch patchOf(const Piece& piece, const meshing::PieceMesh& mesh, std::sp
     return patch;
 }
 
-/// The node at a vertex of a piece: the first of the edge that leaves it.
-Result<int> nodeAt(const Piece& piece, const meshing::PieceMesh& mesh, const pattern::Pin& pin) {
-    for (std::size_t loop = 0; loop < mesh.loops.size(); ++loop) {
-        const pattern::Contour& contour = loop == 0 ? piece.outline : piece.holes[loop - 1];
-        for (std::size_t vertex = 0; vertex < contour.vertices.size(); ++vertex)
-            if (contour.vertices[vertex].id == pin.vertex) return mesh.loops[loop][vertex].front().node;
-    }
-    return fail(ErrorCode::invalidInput,
-                fmt::format("Piece \"{}\" has no vertex \"{}\".", piece.name, pin.vertex.value),
-                {.object = fmt::format("pin \"{}\"", pin.id.value)});
-}
-
 /// All particles of frozen pieces.
 std::vector<int> frozenParticles(const Garment& garment, const Pattern& pattern) {
     std::vector<int> frozen;
@@ -73,14 +62,9 @@ void sortUnique(std::vector<int>& numbers) {
 Result<void> pinParticles(Garment& garment, const Pattern& pattern) {
     std::vector<int> inSpace = frozenParticles(garment, pattern), toBody;
     for (const pattern::Pin& pin : pattern.pins) {
-        const auto at = std::ranges::find_if(pattern.pieces, [&](const auto& piece) { return piece->id == pin.piece; });
-        if (at == pattern.pieces.end())
-            return fail(ErrorCode::invalidInput, fmt::format("There is no piece \"{}\".", pin.piece.value),
-                        {.object = fmt::format("pin \"{}\"", pin.id.value)});
-        const int piece = static_cast<int>(at - pattern.pieces.begin());
-        const auto node = nodeAt(pattern::resolved(pattern, **at), garment.mesh->pieces[piece], pin);
+        const auto node = nodeOf(pin, pattern, *garment.mesh);
         if (!node) return tl::unexpected(node.error());
-        (pin.toBody ? toBody : inSpace).push_back(garment.particles.particle({piece, *node}));
+        (pin.toBody ? toBody : inSpace).push_back(garment.particles.particle(*node));
     }
     sortUnique(inSpace);
     sortUnique(toBody);

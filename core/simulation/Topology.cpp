@@ -2,6 +2,7 @@
 #include "core/simulation/Topology.h"
 
 #include "core/meshing/DisplayElements.h"
+#include "core/simulation/PinNodes.h"
 
 #include <algorithm>
 
@@ -51,6 +52,9 @@ FrameTopology topologyOf(const pattern::Pattern& pattern, const meshing::Garment
         for (const auto& [a, b] : seam.pairs)
             pairs.push_back({firstNode[a.piece] + a.node, firstNode[b.piece] + b.node});
     }
+    for (const pattern::Pin& pin : pattern.pins)
+        if (const auto node = nodeOf(pin, pattern, mesh))
+            topology.pins.push_back({firstNode[node->piece] + node->node, pin.toBody});
     return topology;
 }
 

@@ -76,6 +76,15 @@ double largest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 class tst_PinsToBody : public QObject {
     Q_OBJECT
 private slots:
+    void aFrameKnowsWhatIsPinned() {
+        const Scene scene = pinned(pinned(sheetOnTable(), "sheet", "v0", Held::toBody), "sheet", "v2", Held::inSpace);
+        const Simulation simulation = simulationOf(scene);
+        const auto& pins = simulation.frame().topology->pins; // one piece: a particle is a node
+        using Pin = FrameTopology::PinnedVertex;
+        QVERIFY(
+            (pins == std::vector<Pin>{{particleAt(simulation, 0, v0), true}, {particleAt(simulation, 0, v2), false}}));
+    }
+
     void pinnedClothKeepsItsPlaceOnABodyThatTurns() {
         const Scene scene = pinned(pinned(sheetOnTable(), "sheet", "v0", Held::toBody), "sheet", "v2", Held::inSpace);
         Simulation simulation = simulationOf(scene);

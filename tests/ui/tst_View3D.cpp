@@ -96,6 +96,7 @@ private slots:
     void middleDragKeepsThePointUnderThePointer();
     void theWheelZoomsToThePointer();
     void viewsLookFromTheirSide();
+    void pinsOfThePatternAreRinged();
     void theGizmoStandsInTheMiddleOfTheSelectedPiece();
     void draggingAnArrowSignalsThePlacement();
     void escapeEndsADragWithThePlacementFromBefore();
@@ -106,6 +107,28 @@ private slots:
 private:
     static bool canDraw() { return probeGraphics().path == GraphicsPath::window || picture::OffscreenGl::create(); }
 };
+
+void tst_View3D::pinsOfThePatternAreRinged() {
+    const auto view = shownView();
+    QVERIFY(view->scene().overlay.empty());
+    simulation::Frame frame = twoSquares();
+    simulation::FrameTopology topology = *frame.topology;
+    topology.pins = {{2, false}, {5, true}};
+    frame.topology = Shared(std::move(topology));
+    view->setFrame(frame);
+    const auto& rings = view->scene().overlay;
+    QCOMPARE(rings.size(), std::size_t(3)); // two round the one to the body
+    for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+        const Vec3& pinned = frame.positions[ring == 0 ? 2 : 5];
+        const double radius = geometry::distance(rings[ring].points.front(), pinned);
+        for (const Vec3& point : rings[ring].points)
+            QVERIFY(std::abs(geometry::distance(point, pinned) - radius) < 1e-9);
+    }
+    picture::RenderOptions bodyAlone;
+    bodyAlone.cloth = false;
+    view->setOptions(bodyAlone);
+    QVERIFY(view->scene().overlay.empty());
+}
 
 void tst_View3D::showsAPicture() {
     if (!canDraw()) QSKIP("NOT RUN: there is no OpenGL here");

@@ -15,6 +15,8 @@ namespace {
 constexpr double markRadius = 7; // [px]
 constexpr int markCorners = 24;
 constexpr picture::Colour markColour{0.93F, 0.33F, 0.16F};
+constexpr double pinRadius = 5, bodyPinRadius = 8;        // [px]
+constexpr picture::Colour pinColour{0.78F, 0.16F, 0.16F}; // as in the pattern view
 
 /// Where the cloth is that is held, to the next vertex.
 std::optional<Vec3> nearestVertex(const picture::RenderScene& scene, const HeldPlace& place) {
@@ -27,6 +29,18 @@ std::optional<Vec3> nearestVertex(const picture::RenderScene& scene, const HeldP
             vertices, {}, [&](int vertex) { return distance(frame.topology->material[vertex], place.material); })];
     }
     return std::nullopt;
+}
+
+/// Faces the eye.
+picture::Stroke ringAt(const Vec3& middle, double radius, const picture::Colour& colour, double width,
+                       const picture::Camera& camera) {
+    const picture::CameraAxes axes = axesOf(camera);
+    picture::Stroke ring{{}, colour, width};
+    for (int i = 0; i <= markCorners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / markCorners;
+        ring.points.push_back(middle + radius * std::cos(angle) * axes.right + radius * std::sin(angle) * axes.up);
+    }
+    return ring;
 }
 
 } // namespace
@@ -67,19 +81,24 @@ std::optional<std::size_t> pinUnder(const std::vector<HeldPlace>& pins, const pi
 
 std::vector<picture::Stroke> marksOf(const HeldPlace& place, bool inHand, const picture::RenderScene& scene,
                                      const picture::Camera& camera, picture::Viewport viewport) {
-    const picture::CameraAxes axes = axesOf(camera);
     const double radius = markRadius * pixelSize(camera, viewport, place.target);
-    picture::Stroke ring{{}, markColour, inHand ? 4.0 : 2.0};
-    for (int i = 0; i <= markCorners; ++i) {
-        const double angle = 2 * std::numbers::pi * i / markCorners;
-        ring.points.push_back(place.target + radius * std::cos(angle) * axes.right +
-                              radius * std::sin(angle) * axes.up);
-    }
-    std::vector<picture::Stroke> marks{std::move(ring)};
+    std::vector<picture::Stroke> marks{ringAt(place.target, radius, markColour, inHand ? 4.0 : 2.0, camera)};
     if (const auto cloth = nearestVertex(scene, place); cloth && distance(*cloth, place.target) > 2 * radius)
         marks.push_back({{*cloth, place.target + (*cloth - place.target) * (radius / distance(*cloth, place.target))},
                          markColour,
                          1.5});
+    return marks;
+}
+
+std::vector<picture::Stroke> marksOfPins(const simulation::Frame& frame, const picture::Camera& camera,
+                                         picture::Viewport viewport) {
+    std::vector<picture::Stroke> marks;
+    for (const auto& [vertex, toBody] : frame.topology->pins) {
+        const Vec3& at = frame.positions[vertex];
+        const double pixel = pixelSize(camera, viewport, at);
+        marks.push_back(ringAt(at, pinRadius * pixel, pinColour, 2, camera));
+        if (toBody) marks.push_back(ringAt(at, bodyPinRadius * pixel, pinColour, 2, camera));
+    }
     return marks;
 }
 

@@ -45,4 +45,8 @@ private:
                                                    const picture::RenderScene& scene, const picture::Camera& camera,
                                                    picture::Viewport viewport);
 
+/// What the pattern pins: a ring round each vertex, two round one that is pinned to the body.
+[[nodiscard]] std::vector<picture::Stroke> marksOfPins(const simulation::Frame& frame, const picture::Camera& camera,
+                                                       picture::Viewport viewport);
+
 } // namespace toile::ui

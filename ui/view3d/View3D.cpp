@@ -79,6 +79,8 @@ picture::Viewport View3D::viewport() const {
 
 void View3D::changed() {
     scene_.overlay = gizmo_ ? gizmo_->strokes(gizmoView()) : std::vector<picture::Stroke>{};
+    if (scene_.frame && scene_.options.cloth)
+        std::ranges::move(marksOfPins(**scene_.frame, camera_, viewport()), std::back_inserter(scene_.overlay));
     const auto mark = [this](const HeldPlace& place, bool inHand) {
         std::ranges::move(marksOf(place, inHand, scene_, camera_, viewport()), std::back_inserter(scene_.overlay));
     };
