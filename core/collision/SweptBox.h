@@ -43,11 +43,12 @@ struct alignas(64) SweptBox {
 /// Whether what is in them can meet while each goes its way, in step. Only how they go against each other counts: cloth
 /// that flies as a whole is as far apart as at rest.
 [[nodiscard]] inline bool meet(const SweptBox& a, const SweptBox& b) {
-    using Four = SweptBox::Four;
-    const Four none{}, down = a.moveLow - b.moveHigh, up = a.moveHigh - b.moveLow;
-    const Four least = down < none ? down : none, most = up < none ? none : up;
-    const auto apart = (a.low + least > b.high) | (b.low > a.high + most);
-    return !(apart[0] | apart[1] | apart[2]);
+    using Halves [[gnu::may_alias]] = long long __attribute__((vector_size(16)));
+    // Apart along an axis is what is so at the start and at the end of a way.
+    const auto aAbove = (a.low > b.high) & (a.low + (a.moveLow - b.moveHigh) > b.high);
+    const auto bAbove = (b.low > a.high) & (b.low > a.high + (a.moveHigh - b.moveLow));
+    const auto apart = reinterpret_cast<Halves>(aAbove | bAbove); // the fourth of the boxes, nothing, never is
+    return (apart[0] | apart[1]) == 0;
 }
 
 } // namespace toile::collision
