@@ -11,16 +11,16 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
 endif()
 
-# Hundreds of test programs are linked: gold, of the same package as the default linker, takes a third of its time.
+# Programs are linked anew after every change: gold, of the same package as the default linker, takes a third of its time.
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=gold TOILE_HAS_GOLD)
 if(TOILE_HAS_GOLD)
     add_link_options(-fuse-ld=gold)
 endif()
 
-# Presets for tests compile the files of a room ten at a time, which parses headers and makes templates once for all:
-# a third of the time. What is local to a file must so have a name of its own in its room. Two warnings take such a local
-# thing for a header's. The release preset compiles every file alone, with all warnings.
+# Presets for tests compile the files of a room ten at a time, and those of its tests, which parses headers and makes
+# templates once for all: a third of the time. What is local to a file must so have a name of its own in its room. Two
+# warnings take such a local thing for a header's. The release preset compiles every file alone, with all warnings.
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 10)
 add_library(toile_options INTERFACE)
 target_include_directories(toile_options INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>

@@ -26,45 +26,48 @@ if(EXISTS /proc/cpuinfo)
     endif()
 endif()
 
-# toile_tests(ROOM [COMMON header] [LINKS library...] [DEPENDS target...])
-# Every tst_<Unit>.cpp of the folder ROOM is one QtTest program, labelled with the room: `ctest -L ROOM`. The target
-# `tests_ROOM` builds them. Headers of the tests are parsed once for all rooms, or with a COMMON header, which many
-# files of the room include, once for the room.
+# toile_tests(ROOM [COMMON header] [LINKS library...] [DEPENDS target...] [ALONE test...])
+# Every tst_<Unit>.cpp of the folder ROOM is a test of that name, labelled with the room: `ctest -L ROOM`. They are one
+# program, tests/ROOM of the build, that is told the test's name: headers are parsed, templates made and libraries linked
+# once for many. The target `tests_ROOM` builds it. What a test does to its whole program others are kept from if it is
+# ALONE. Where files are compiled one by one, a COMMON header is what most of them include.
 function(toile_tests room)
-    cmake_parse_arguments(TESTS "" "COMMON" "LINKS;DEPENDS" ${ARGN})
+    cmake_parse_arguments(TESTS "" "COMMON" "LINKS;DEPENDS;ALONE" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${room}/tst_*.cpp)
-    get_property(parsed DIRECTORY PROPERTY TOILE_TEST_HEADERS)
-    if(TESTS_COMMON)
-        set(TESTS_COMMON ${CMAKE_SOURCE_DIR}/${TESTS_COMMON})
-        set(parsed "")
+    foreach(test IN LISTS TESTS_ALONE)
+        set(source ${CMAKE_CURRENT_SOURCE_DIR}/${room}/${test}.cpp)
+        list(REMOVE_ITEM sources ${source})
+        toile_test_program(${test} ${test} ${source})
+    endforeach()
+    toile_test_program(tests_${room} ${room} ${sources})
+    if(TESTS_ALONE)
+        add_dependencies(tests_${room} ${TESTS_ALONE})
     endif()
-    foreach(source IN LISTS sources)
+endfunction()
+
+# toile_test_program(TARGET NAME source...)
+# One program of the room whose toile_tests() calls this.
+function(toile_test_program target name)
+    add_executable(${target} ${ARGN})
+    set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+    target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+    target_link_libraries(${target} PRIVATE toile_options ${TESTS_LINKS} toile_suite)
+    if(NOT CMAKE_UNITY_BUILD)
+        list(TRANSFORM TESTS_COMMON PREPEND ${CMAKE_SOURCE_DIR}/)
+        target_precompile_headers(${target} PRIVATE <QTest> <algorithm> <array> <cmath> <filesystem> <functional>
+            <map> <memory> <optional> <set> <span> <string> <variant> <vector> ${TESTS_COMMON})
+    endif()
+    if(TESTS_DEPENDS)
+        add_dependencies(${target} ${TESTS_DEPENDS})
+    endif()
+    foreach(source IN LISTS ARGN)
         get_filename_component(test ${source} NAME_WE)
-        # The one file has the one class: AUTOMOC would compile another for every test.
+        # The one file has the one class: AUTOMOC would compile another for every program.
         set(moc ${CMAKE_CURRENT_BINARY_DIR}/${test}.moc)
         qt_generate_moc(${source} ${moc})
-        add_executable(${test} ${source} ${moc})
-        set_target_properties(${test} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests UNITY_BUILD OFF)
-        target_include_directories(${test} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
-        target_link_libraries(${test} PRIVATE toile_options ${TESTS_LINKS} Qt6::Test)
-        if(parsed)
-            target_precompile_headers(${test} REUSE_FROM ${parsed})
-        else()
-            set(parsed ${test})
-            target_precompile_headers(${test} PRIVATE <QTest> <algorithm> <array> <cmath> <filesystem> <functional>
-                <map> <memory> <optional> <set> <span> <string> <variant> <vector>
-                ${TESTS_COMMON})
-        endif()
-        if(TESTS_DEPENDS)
-            add_dependencies(${test} ${TESTS_DEPENDS})
-        endif()
-        add_test(NAME ${test} COMMAND ${test})
+        target_sources(${target} PRIVATE ${moc})
+        add_test(NAME ${test} COMMAND ${target} ${test})
         set_tests_properties(${test} PROPERTIES LABELS ${room} TIMEOUT 900
             ENVIRONMENT "QT_QPA_PLATFORM=offscreen;TOILE_SOURCE_DIR=${CMAKE_SOURCE_DIR};TOILE_BINARY_DIR=${CMAKE_BINARY_DIR};${TOILE_TEST_KERNELS}")
-        list(APPEND programs ${test})
     endforeach()
-    add_custom_target(tests_${room} DEPENDS ${programs})
-    if(NOT TESTS_COMMON)
-        set_property(DIRECTORY PROPERTY TOILE_TEST_HEADERS ${parsed})
-    endif()
 endfunction()

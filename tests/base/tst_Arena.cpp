@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/Arena.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -73,5 +74,5 @@ void tst_Arena::vectorsOfVectorsLiveInIt() {
     QCOMPARE(rows[7][2], 7);
 }
 
-QTEST_APPLESS_MAIN(tst_Arena)
+TOILE_TEST(tst_Arena)
 #include "tst_Arena.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/AtomicFile.h"
 #include "core/base/RegularFile.h"
+#include "tests/Suite.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -103,5 +104,5 @@ void tst_AtomicFile::foldersPipesAndLongFilesAreNotRead() {
     QCOMPARE(readRegularFile(at("long"), 9).error().code, ErrorCode::tooLarge);
 }
 
-QTEST_APPLESS_MAIN(tst_AtomicFile)
+TOILE_TEST(tst_AtomicFile)
 #include "tst_AtomicFile.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/Json.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -67,5 +68,5 @@ void tst_Json::deepNestingIsRefused() {
     QVERIFY(parseJson("[[[]]]"));
 }
 
-QTEST_APPLESS_MAIN(tst_Json)
+TOILE_TEST(tst_Json)
 #include "tst_Json.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/Memory.h"
+#include "tests/Suite.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -65,5 +66,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Memory)
+TOILE_TEST(tst_Memory)
 #include "tst_Memory.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/Sha256.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <string_view>
@@ -31,5 +32,5 @@ void tst_Sha256::knowsTheStandardsExamples() {
     QCOMPARE(QByteArray::fromStdString(sha256(std::as_bytes(std::span(view)))), digest);
 }
 
-QTEST_APPLESS_MAIN(tst_Sha256)
+TOILE_TEST(tst_Sha256)
 #include "tst_Sha256.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/Team.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <chrono>
@@ -96,5 +97,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Team)
+TOILE_TEST(tst_Team)
 #include "tst_Team.moc"

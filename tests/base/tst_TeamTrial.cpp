@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/TeamTrial.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -65,5 +66,5 @@ void tst_TeamTrial::whatHasChangedIsNoticed() {
     QCOMPARE(sharedOf(trial, period, 0.7, 1), period - turns / 2);
 }
 
-QTEST_APPLESS_MAIN(tst_TeamTrial)
+TOILE_TEST(tst_TeamTrial)
 #include "tst_TeamTrial.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/TimeLimit.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -51,5 +52,5 @@ void tst_TimeLimit::withoutADeadlineNothingDoes() {
     QVERIFY(!limit.isOver());
 }
 
-QTEST_APPLESS_MAIN(tst_TimeLimit)
+TOILE_TEST(tst_TimeLimit)
 #include "tst_TimeLimit.moc"

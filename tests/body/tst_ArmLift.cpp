@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/body/ArmLift.h"
 #include "core/body/Mannequin.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -88,5 +89,5 @@ void tst_ArmLift::whatCannotBeLiftedIsRefused() {
     QVERIFY(refused.error().text.find("no arms") != std::string::npos);
 }
 
-QTEST_APPLESS_MAIN(tst_ArmLift)
+TOILE_TEST(tst_ArmLift)
 #include "tst_ArmLift.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/body/Arrangement.h"
+#include "tests/Suite.h"
 
 #include "core/body/Mannequin.h"
 #include "tests/body/SampleMeasurements.h"
@@ -113,5 +114,5 @@ void tst_Arrangement::aTableHasNoLimbs() {
     QVERIFY(!carriedOver(usual(), table, Limb::torso));
 }
 
-QTEST_APPLESS_MAIN(tst_Arrangement)
+TOILE_TEST(tst_Arrangement)
 #include "tst_Arrangement.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/body/Mannequin.h"
+#include "tests/Suite.h"
 
 #include "core/body/MeshSection.h"
 #include "tests/body/SampleMeasurements.h"
@@ -256,5 +257,5 @@ void tst_Mannequin::impossibleMeasurementsAreNamed() {
     QCOMPARE(QString::fromStdString(refused.error().place.path), name);
 }
 
-QTEST_APPLESS_MAIN(tst_Mannequin)
+TOILE_TEST(tst_Mannequin)
 #include "tst_Mannequin.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/body/Mannequin.h"
 #include "core/body/Measuring.h"
+#include "tests/Suite.h"
 #include "tests/body/SampleMeasurements.h"
 
 #include <QTest>
@@ -63,5 +64,5 @@ void tst_Measuring::aBodyWithoutLimbsIsRefused() {
     QVERIFY(!measurementsOf(Body{"nothing", {}, {}, {}}));
 }
 
-QTEST_APPLESS_MAIN(tst_Measuring)
+TOILE_TEST(tst_Measuring)
 #include "tst_Measuring.moc"

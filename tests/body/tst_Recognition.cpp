@@ -2,6 +2,7 @@
 #include "core/body/BodyProfile.h"
 #include "core/body/Mannequin.h"
 #include "core/body/MeshSection.h"
+#include "tests/Suite.h"
 #include "tests/body/SampleMeasurements.h"
 
 #include <QTest>
@@ -216,5 +217,5 @@ void tst_Recognition::whatIsNoBodyIsRefused() {
     QCOMPARE(body.error().place.object, "thing");
 }
 
-QTEST_APPLESS_MAIN(tst_Recognition)
+TOILE_TEST(tst_Recognition)
 #include "tst_Recognition.moc"

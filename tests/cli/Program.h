@@ -27,6 +27,8 @@ inline QString sample(const QString& name) {
     return qEnvironmentVariable("TOILE_SOURCE_DIR") + "/samples/" + name;
 }
 
+inline constexpr int minutes = 60000; // [ms]
+
 inline Finished run(const QStringList& arguments, int patience = 120000 /* [ms] */) {
     QProcess process;
     process.start(program(), arguments);

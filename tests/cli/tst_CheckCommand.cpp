@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
+#include "tests/Suite.h"
 
 #include <QTemporaryDir>
 
@@ -90,5 +91,5 @@ void tst_CheckCommand::withoutAFileTheUsageIsWrong() {
     QCOMPARE(run({"check"}).status, 2);
 }
 
-QTEST_GUILESS_MAIN(tst_CheckCommand)
+TOILE_TEST(tst_CheckCommand, QCoreApplication)
 #include "tst_CheckCommand.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/cli/Program.h"
 
 #include <QFileInfo>
@@ -100,5 +101,5 @@ void tst_Commit::withoutARepositoryThereIsNone() {
     QCOMPARE(commit("plain"), QString());
 }
 
-QTEST_APPLESS_MAIN(tst_Commit)
+TOILE_TEST(tst_Commit)
 #include "tst_Commit.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/cli/Program.h"
 
 #include <QTemporaryDir>
@@ -189,5 +190,5 @@ void tst_DocumentedFigures::positionBasedStepsAreAsFarOffAsThePageSays() {
     QCOMPARE(QString::number(errors[0].toDouble(), 'f', 0), figures.captured(3));
 }
 
-QTEST_GUILESS_MAIN(tst_DocumentedFigures)
+TOILE_TEST(tst_DocumentedFigures, QCoreApplication)
 #include "tst_DocumentedFigures.moc"

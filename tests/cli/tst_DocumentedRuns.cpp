@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/cli/Program.h"
 
 #include <QTemporaryDir>
@@ -8,8 +9,6 @@
 using namespace toile;
 
 namespace {
-
-constexpr int minutes = 60000; // [ms]
 
 /// The report of `toile-cli sew DOCUMENT …`; null where there is none.
 Json sewn(const QString& document, const QStringList& arguments = {}) {
@@ -201,5 +200,5 @@ void tst_DocumentedRuns::methodsTakeOverFromSewingAsThePageSays() {
     COMPARE_FIGURE(said.captured(3), numberAt(shaking, "newtonIterations"));
 }
 
-QTEST_GUILESS_MAIN(tst_DocumentedRuns)
+TOILE_TEST(tst_DocumentedRuns, QCoreApplication)
 #include "tst_DocumentedRuns.moc"

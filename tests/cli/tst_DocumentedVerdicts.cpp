@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/cli/Program.h"
 
 #include <QMap>
@@ -8,8 +9,6 @@
 using namespace toile;
 
 namespace {
-
-constexpr int minutes = 60000; // [ms]
 
 /// A row of the study's results.jsonl.
 struct Record {
@@ -78,5 +77,5 @@ void tst_DocumentedVerdicts::extremeInputsComeOutAsThePageSays() {
     QCOMPARE(cases.keys(), QStringList()); // no case is left out
 }
 
-QTEST_GUILESS_MAIN(tst_DocumentedVerdicts)
+TOILE_TEST(tst_DocumentedVerdicts, QCoreApplication)
 #include "tst_DocumentedVerdicts.moc"

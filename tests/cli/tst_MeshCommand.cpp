@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Png.h"
 #include "Program.h"
+#include "tests/Suite.h"
 
 #include <QTemporaryDir>
 #include <csignal>
@@ -309,5 +310,5 @@ void tst_MeshCommand::wrongUsage() {
     QVERIFY(!finished.err.isEmpty());
 }
 
-QTEST_GUILESS_MAIN(tst_MeshCommand)
+TOILE_TEST(tst_MeshCommand, QCoreApplication)
 #include "tst_MeshCommand.moc"

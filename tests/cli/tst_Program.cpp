@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
+#include "tests/Suite.h"
 
 #include <QTemporaryDir>
 
@@ -227,5 +228,5 @@ void tst_Program::convertWritesOverNothingItReads() {
     QVERIFY2(finished.err.contains("name another file"), qPrintable(finished.err));
 }
 
-QTEST_GUILESS_MAIN(tst_Program)
+TOILE_TEST(tst_Program, QCoreApplication)
 #include "tst_Program.moc"

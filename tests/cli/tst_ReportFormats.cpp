@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
+#include "tests/Suite.h"
 
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -120,5 +121,5 @@ void tst_ReportFormats::meshJsonIsAsItsPageSays() {
     QCOMPARE(difference(written, documented), QString());
 }
 
-QTEST_GUILESS_MAIN(tst_ReportFormats)
+TOILE_TEST(tst_ReportFormats, QCoreApplication)
 #include "tst_ReportFormats.moc"

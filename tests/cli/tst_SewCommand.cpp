@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SewFolder.h"
+#include "tests/Suite.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -354,5 +355,5 @@ void tst_SewCommand::wrongUsage() {
         QVERIFY2(finished.err.contains(options[options.size() - 2]), qPrintable(finished.err));
 }
 
-QTEST_GUILESS_MAIN(tst_SewCommand)
+TOILE_TEST(tst_SewCommand, QCoreApplication)
 #include "tst_SewCommand.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Png.h" // before ours: moc 6.4 stumbles over <compare> as the first header
+#include "tests/Suite.h"
 
 #include "SewFolder.h"
 
@@ -218,5 +219,5 @@ void tst_SewOutputs::aStoppedRunGoesOnFromItsCheckpoint() {
     QVERIFY(hashAfter({"--resume", in("none")}).find("none") != std::string::npos);
 }
 
-QTEST_GUILESS_MAIN(tst_SewOutputs)
+TOILE_TEST(tst_SewOutputs, QCoreApplication)
 #include "tst_SewOutputs.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/cli/Program.h"
 
 #include <QStandardPaths>
@@ -345,5 +346,5 @@ void tst_StudyCommand::namesThatAreTooLongAreSaid() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_StudyCommand)
+TOILE_TEST(tst_StudyCommand)
 #include "tst_StudyCommand.moc"

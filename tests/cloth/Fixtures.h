@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/cloth/Patch.h"
 #include "core/cloth/RegularPatches.h"
 
+#include <QtGlobal>
 #include <cmath>
 #include <random>
 
@@ -39,6 +41,13 @@ inline Fabric knitFabric() {
     fabric.warpTension = {{0.1, 2}, {0.2, 5}};
     fabric.weftTension = {{0.17, 8}};
     return fabric;
+}
+
+inline ClothModel modelOf(const Patch& patch, const Fabric& fabric, cloth::CellForm form = cloth::CellForm::automatic) {
+    ClothModel model;
+    if (const auto report = cloth::appendPatch(model, patch, fabric, {form}); !report)
+        qFatal("%s", toString(report.error()).c_str());
+    return model;
 }
 
 } // namespace toile::fixtures

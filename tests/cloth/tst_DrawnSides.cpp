@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cloth/Forces.h"
+#include "tests/Suite.h"
 #include "tests/cloth/Fixtures.h"
 
 #include <QTest>
@@ -23,13 +24,6 @@ Patch drawnTriangles(double lower, double upper) {
     Patch patch = trianglePatch({0, width}, {0, height});
     patch.drawn = {{{0, 1}, lower}, {{2, 3}, upper}};
     return patch;
-}
-
-ClothModel modelOf(const Patch& patch, const Fabric& fabric) {
-    ClothModel model;
-    if (const auto report = cloth::appendPatch(model, patch, fabric); !report)
-        qFatal("%s", toString(report.error()).c_str());
-    return model;
 }
 
 double stretchEnergy(const ClothModel& model, const std::vector<Vec3>& x) {
@@ -101,5 +95,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_DrawnSides)
+TOILE_TEST(tst_DrawnSides, QCoreApplication)
 #include "tst_DrawnSides.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cloth/Flexion.h"
 #include "core/cloth/Forces.h"
+#include "tests/Suite.h"
 #include "tests/cloth/Fixtures.h"
 
 #include <QTest>
@@ -10,7 +11,7 @@ using namespace toile::fixtures;
 
 namespace {
 
-constexpr double length = 0.1, wanted = 20; // [m], [1/m]
+constexpr double stripLength = 0.1, wanted = 20; // [m], [1/m]
 
 /// A strip along weft with unequal columns, without shear and twist.
 ClothModel strip(const Patch& patch) {
@@ -22,8 +23,8 @@ ClothModel strip(const Patch& patch) {
 }
 
 std::vector<double> columns(int cells, double unequal) {
-    std::vector<double> lines = evenLines(length, cells);
-    for (int i = 1; i < cells; i += 2) lines[i] += unequal * length / cells;
+    std::vector<double> lines = evenLines(stripLength, cells);
+    for (int i = 1; i < cells; i += 2) lines[i] += unequal * stripLength / cells;
     return lines;
 }
 
@@ -96,5 +97,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Flexion)
+TOILE_TEST(tst_Flexion)
 #include "tst_Flexion.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cloth/Forces.h"
+#include "tests/Suite.h"
 #include "tests/cloth/Fixtures.h"
 
 #include <QTest>
@@ -19,13 +20,6 @@ struct DenseSink : cloth::HessianSink {
     int n;
     std::vector<double> values;
 };
-
-ClothModel modelOf(const Patch& patch, const Fabric& fabric, cloth::CellForm form = cloth::CellForm::automatic) {
-    ClothModel model;
-    auto report = cloth::appendPatch(model, patch, fabric, {form});
-    if (!report) qFatal("%s", toString(report.error()).c_str());
-    return model;
-}
 
 std::vector<Vec3> forcesOf(const ClothModel& model, const std::vector<Vec3>& x) {
     std::vector<Vec3> forces(x.size());
@@ -224,5 +218,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Forces)
+TOILE_TEST(tst_Forces)
 #include "tst_Forces.moc"

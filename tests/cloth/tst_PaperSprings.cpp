@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cloth/Forces.h"
 #include "core/cloth/PaperSprings.h"
+#include "tests/Suite.h"
 #include "tests/cloth/Fixtures.h"
 
 #include <QTest>
@@ -113,5 +114,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_PaperSprings)
+TOILE_TEST(tst_PaperSprings)
 #include "tst_PaperSprings.moc"

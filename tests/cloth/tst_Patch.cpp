@@ -3,6 +3,7 @@
 #include "core/cloth/Patch.h"
 #include "core/cloth/Strain.h"
 #include "core/cloth/Tension.h"
+#include "tests/Suite.h"
 #include "tests/cloth/Fixtures.h"
 
 #include <QTest>
@@ -18,12 +19,6 @@ cloth::PatchReport append(ClothModel& model, const Patch& patch, const Fabric& f
     auto report = cloth::appendPatch(model, patch, fabric, {form});
     if (!report) qFatal("%s", toString(report.error()).c_str());
     return *report;
-}
-
-ClothModel modelOf(const Patch& patch, const Fabric& fabric) {
-    ClothModel model;
-    append(model, patch, fabric);
-    return model;
 }
 
 /// z = ½κ(x·cos + y·sin)²: a shallow cylinder whose lines of no curvature run across the direction.
@@ -326,5 +321,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Patch)
+TOILE_TEST(tst_Patch)
 #include "tst_Patch.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cloth/Strain.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <algorithm>
@@ -125,5 +126,5 @@ void tst_Strain::whatHasNoBoundInAPointHasOneRoundIt() {
     }
 }
 
-QTEST_GUILESS_MAIN(tst_Strain)
+TOILE_TEST(tst_Strain, QCoreApplication)
 #include "tst_Strain.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cloth/Forces.h"
 #include "core/cloth/StrainGradients.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <map>
@@ -97,5 +98,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_StrainGradients)
+TOILE_TEST(tst_StrainGradients, QCoreApplication)
 #include "tst_StrainGradients.moc"

@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/collision/BodySurface.h"
 #include "core/collision/ClosestPoint.h"
+#include "tests/Suite.h"
 #include "tests/collision/Shapes.h"
+#include "tests/collision/Surfaces.h"
 
 #include <QTest>
 
-#include "core/base/Contracts.h"
 #include <limits>
 #include <thread>
 
 using namespace toile;
 using collision::BodySurface;
 using geometry::TriangleMesh;
+using shapes::anywhere;
+using shapes::surfaceOf;
 
 namespace {
-
-constexpr double anywhere = std::numeric_limits<double>::infinity();
-
-BodySurface surfaceOf(TriangleMesh mesh) {
-    auto surface = BodySurface::create(std::move(mesh));
-    expects(surface.has_value(), "the shape of a test is sound");
-    return std::move(*surface);
-}
 
 /// Nearest distance by trying many points of the triangle: from above, and good to the step of the lattice.
 double sampledDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, int steps) {
@@ -279,5 +274,5 @@ void tst_BodySurface::manyThreadsFindTheSame() {
     for (const auto& out : found) QCOMPARE(out, found[0]);
 }
 
-QTEST_APPLESS_MAIN(tst_BodySurface)
+TOILE_TEST(tst_BodySurface)
 #include "tst_BodySurface.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/collision/Bumps.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <cmath>
@@ -62,5 +63,5 @@ void tst_Bumps::aHollowIsNone() {
     QVERIFY(shareOfBumps(turned(ball(0.008))) < 0.1);
 }
 
-QTEST_APPLESS_MAIN(tst_Bumps)
+TOILE_TEST(tst_Bumps)
 #include "tst_Bumps.moc"

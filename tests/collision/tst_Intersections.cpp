@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/collision/ExactGeometry.h"
 #include "core/collision/Intersections.h"
+#include "tests/Suite.h"
 #include "tests/collision/Shapes.h"
 
 #include <QTest>
@@ -196,5 +197,5 @@ void tst_Intersections::farAwayMeshesKeepAnExactGrid() {
     QVERIFY(!meet(flat, moved(triangle({0, 0.001, 0}, {0.1, 1, 0}, {-0.1, 1, 0}), far)));
 }
 
-QTEST_APPLESS_MAIN(tst_Intersections)
+TOILE_TEST(tst_Intersections)
 #include "tst_Intersections.moc"

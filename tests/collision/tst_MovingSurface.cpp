@@ -3,19 +3,18 @@
 #include "core/collision/MovingSurface.h"
 #include "core/collision/SurfaceNormals.h"
 #include "core/collision/SurfaceTracker.h"
+#include "tests/Suite.h"
 #include "tests/collision/Shapes.h"
+#include "tests/collision/Surfaces.h"
 
 #include <QTest>
-
-#include <limits>
 
 using namespace toile;
 using namespace toile::collision;
 using geometry::VertexMotion;
+using shapes::anywhere;
 
 namespace {
-
-constexpr double anywhere = std::numeric_limits<double>::infinity();
 
 /// Turned about the vertical, drawn out along it, and moved to the right.
 std::vector<Vec3> bent(const std::vector<Vec3>& vertices, double turn, double stretch, double right) {
@@ -183,5 +182,5 @@ void tst_MovingSurface::trackedPointsAreFoundWhateverTheBodyDoes() {
     QVERIFY(far > 1000); // or it would ask for everything
 }
 
-QTEST_APPLESS_MAIN(tst_MovingSurface)
+TOILE_TEST(tst_MovingSurface)
 #include "tst_MovingSurface.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/collision/Intersections.h"
 #include "core/collision/SelfProximity.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <algorithm>
@@ -328,5 +329,5 @@ void tst_SelfProximity::aFlatSheetHasNothingWithinHalfACell() {
     QVERIFY(proximity.piercings(flatSheet(20, 0.01)).empty());
 }
 
-QTEST_APPLESS_MAIN(tst_SelfProximity)
+TOILE_TEST(tst_SelfProximity)
 #include "tst_SelfProximity.moc"

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/collision/SmoothDistance.h"
+#include "tests/Suite.h"
 #include "tests/collision/Shapes.h"
+#include "tests/collision/Surfaces.h"
 
 #include <QTest>
 
 using namespace toile;
 using collision::BodySurface;
 using collision::SmoothDistance;
+using shapes::surfaceOf;
 
 namespace {
-
-BodySurface surfaceOf(geometry::TriangleMesh mesh) {
-    auto made = BodySurface::create(std::move(mesh));
-    if (!made) qFatal("%s", toString(made.error()).c_str());
-    return std::move(*made);
-}
 
 /// Two slopes that meet at x = 0 and rise to both sides, y = |x|·tan(angle).
 geometry::TriangleMesh groove(double angle) {
@@ -134,5 +131,5 @@ void tst_SmoothDistance::aRememberedPatchGivesWhatANewOneGives() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_SmoothDistance)
+TOILE_TEST(tst_SmoothDistance)
 #include "tst_SmoothDistance.moc"

@@ -2,6 +2,7 @@
 #include <QTest> // first: moc 6.4 stumbles over <compare> as the first header
 
 #include "core/collision/WindingNumber.h"
+#include "tests/Suite.h"
 #include "tests/collision/Shapes.h"
 
 using namespace toile;
@@ -106,5 +107,5 @@ void tst_WindingNumber::onATriangleItIsTheMeanOfBothSides() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_WindingNumber)
+TOILE_TEST(tst_WindingNumber)
 #include "tst_WindingNumber.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/DocumentEdits.h"
+#include "tests/Suite.h"
 
 #include "core/pattern/PatternPieces.h"
 #include "tests/pattern/TwoPanels.h"
@@ -83,5 +84,5 @@ void tst_DocumentEdits::aSceneThatCannotRunIsRefused() {
     QCOMPARE(withScene(sample(), {.seamTime = -1}).error().place.path, std::string("scene.seamTime"));
 }
 
-QTEST_APPLESS_MAIN(tst_DocumentEdits)
+TOILE_TEST(tst_DocumentEdits)
 #include "tst_DocumentEdits.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/History.h"
+#include "tests/Suite.h"
 
 #include "core/document/DocumentEdits.h"
 
@@ -121,5 +122,5 @@ void tst_History::onlySoManyStepsAreKept() {
     QVERIFY(history.current() == withNumber(6));
 }
 
-QTEST_APPLESS_MAIN(tst_History)
+TOILE_TEST(tst_History)
 #include "tst_History.moc"

@@ -11,12 +11,6 @@
 
 namespace toile::fixtures {
 
-inline ClothModel modelOf(const Patch& patch, const Fabric& fabric) {
-    ClothModel model;
-    if (auto report = cloth::appendPatch(model, patch, fabric); !report) qFatal("%s", toString(report.error()).c_str());
-    return model;
-}
-
 /// The cells of a patch, by their area at rest.
 inline std::vector<dynamics::Face> facesOf(const Patch& patch, double density, double pressure = 0) {
     std::vector<dynamics::Face> faces;

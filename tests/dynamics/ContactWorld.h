@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/Contracts.h"
 #include "core/dynamics/BodyContact.h"
 #include "tests/collision/Shapes.h"
+#include "tests/collision/Surfaces.h"
 
 #include <functional>
 
@@ -13,16 +13,11 @@ namespace toile::contactWorld {
 using collision::BodySurface;
 using dynamics::BodyContact;
 using dynamics::ContactSample;
+using shapes::surfaceOf;
 
-constexpr double gravity = 9.81;
+constexpr double freeFall = 9.81;         // [m/s²]
 constexpr double target = 0.003 + 0.0002; // skin offset + half thickness
 constexpr double h = 1.0 / 1200;
-
-inline BodySurface surfaceOf(geometry::TriangleMesh mesh) {
-    auto surface = BodySurface::create(std::move(mesh));
-    expects(surface.has_value(), "the shape of a test is sound");
-    return std::move(*surface);
-}
 
 inline ContactSample sampleAt(int particle, double friction, double mass = 2e-5) {
     return {{{particle, 1.0}}, 0.0002, friction, mass};
@@ -32,7 +27,7 @@ inline ContactSample sampleAt(int particle, double friction, double mass = 2e-5)
 struct World {
     std::vector<Vec3> positions, velocities;
     std::vector<double> inverseMass;
-    Vec3 acceleration{0, -gravity, 0};
+    Vec3 acceleration{0, -freeFall, 0};
     std::function<void(std::span<Vec3>, double)> cloth = [](std::span<Vec3>, double) {};
 
     explicit World(std::vector<Vec3> at)
@@ -55,7 +50,7 @@ struct World {
 
 /// Gravity as felt on a slope that falls towards +x, with the plane kept level.
 inline Vec3 slope(double angle) {
-    return {gravity * std::sin(angle), -gravity * std::cos(angle), 0};
+    return {freeFall * std::sin(angle), -freeFall * std::cos(angle), 0};
 }
 
 constexpr double degrees = std::numbers::pi / 180;

@@ -71,6 +71,14 @@ inline Cloth sheetThrownAtTwoRegions(double speed) {
     return cloth;
 }
 
+/// Of the particles that are not pinned.
+inline double lowest(const Cloth& cloth) {
+    double least = 1e300;
+    for (std::size_t p = cloth.model.pinned.size(); p < cloth.state.positions.size(); ++p)
+        least = std::min(least, cloth.state.positions[p].y);
+    return least;
+}
+
 /// How far a slave is from where its masters have it [m].
 inline double farthestSlave(const Cloth& cloth) {
     double farthest = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/AdaptiveTrBdf2.h"
 #include "core/study/Trajectory.h"
+#include "tests/Suite.h"
+#include "tests/dynamics/Constants.h"
 
 #include <QTest>
 
@@ -9,8 +11,6 @@ using dynamics::AdaptiveTrBdf2;
 using dynamics::StepReport;
 
 namespace {
-
-const Vec3 gravity{0, -9.81, 0};
 
 study::Scene flap(int cells, double stiffnessFactor) {
     return *study::sceneNamed("flap", {cells, stiffnessFactor});
@@ -107,5 +107,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_AdaptiveTrBdf2)
+TOILE_TEST(tst_AdaptiveTrBdf2)
 #include "tst_AdaptiveTrBdf2.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/dynamics/ContactWorld.h"
 
 #include <QTest>
@@ -10,12 +11,12 @@ using dynamics::BodyContactSettings;
 namespace {
 
 /// A square of particles 10 mm apart, joined to their neighbours by stiff position constraints.
-struct Patch {
+struct ParticleSquare {
     int side;
     World world;
     std::vector<ContactSample> samples;
 
-    Patch(int n, double height, double friction) : side(n), world(grid(n, height)) {
+    ParticleSquare(int n, double height, double friction) : side(n), world(grid(n, height)) {
         for (int i = 0; i < n * n; ++i) samples.push_back(sampleAt(i, friction));
         world.cloth = [n](std::span<Vec3> x, double) {
             const auto join = [&](int a, int b) {
@@ -90,25 +91,25 @@ void tst_BodyContact::aBlockSlidesWithTheAccelerationOfCoulomb() {
     world.acceleration = slope(angle);
     BodyContact contact(plane, {sampleAt(0, mu)});
     world.run(contact, 1);
-    const double expected = gravity * (std::sin(angle) - mu * std::cos(angle)); // 2.3563 m/s²
+    const double expected = freeFall * (std::sin(angle) - mu * std::cos(angle)); // 2.3563 m/s²
     QVERIFY(std::abs(world.velocities[0].x - expected) < 1e-9 * expected); // constant forces: exact but for rounding
 }
 
 void tst_BodyContact::aPatchOfClothSlidesAndSticksAsOneBlock() {
     const auto plane = surfaceOf(shapes::plane(4, 16));
     const double mu = 0.3;
-    Patch stuck(5, target, mu);
+    ParticleSquare stuck(5, target, mu);
     stuck.world.acceleration = slope(16.5 * degrees);
     BodyContact holding(plane, stuck.samples);
     const Vec3 start = stuck.middle();
     stuck.world.run(holding, 1);
     QVERIFY(distance(stuck.middle(), start) < 1e-9);
 
-    Patch sliding(5, target, mu);
+    ParticleSquare sliding(5, target, mu);
     sliding.world.acceleration = slope(30 * degrees);
     BodyContact passing(plane, sliding.samples);
     sliding.world.run(passing, 1);
-    const double expected = gravity * (std::sin(30 * degrees) - mu * std::cos(30 * degrees));
+    const double expected = freeFall * (std::sin(30 * degrees) - mu * std::cos(30 * degrees));
     double speed = 0;
     for (const Vec3& v : sliding.world.velocities) speed += v.x / 25;
     QVERIFY(std::abs(speed - expected) < 0.01 * expected); // V9: 1 %
@@ -127,12 +128,12 @@ void tst_BodyContact::nothingFallsThroughAPlane() {
         World world({{0.011, 0.5, 0.007}});
         world.velocities[0] = {0.1 * speed, -speed, 0};
         BodyContact contact(plane, {sampleAt(0, 0.3)});
-        double energy = 0.5 * squaredLength(world.velocities[0]) + gravity * 0.5;
+        double energy = 0.5 * squaredLength(world.velocities[0]) + freeFall * 0.5;
         const double initial = energy;
         for (int n = 0; n * step < 1; ++n) {
             world.substep(contact, step);
             QVERIFY(world.positions[0].y > target - 2e-5); // the sweep stops within 10 µm; V26
-            energy = 0.5 * squaredLength(world.velocities[0]) + gravity * world.positions[0].y;
+            energy = 0.5 * squaredLength(world.velocities[0]) + freeFall * world.positions[0].y;
             QVERIFY(energy <= initial + 1e-9);
         }
         QVERIFY(std::abs(world.positions[0].y - target) < 1e-6); // it came to lie where it should
@@ -297,5 +298,5 @@ void tst_BodyContact::theReportNamesTheDeepestPoint() {
     QVERIFY(std::abs(contact.report(inside).largestPenetration - 0.1) < 1e-15);
 }
 
-QTEST_APPLESS_MAIN(tst_BodyContact)
+TOILE_TEST(tst_BodyContact)
 #include "tst_BodyContact.moc"

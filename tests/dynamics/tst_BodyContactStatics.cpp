@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/Statics.h"
 #include "core/dynamics/Xpbd.h"
+#include "tests/Suite.h"
 #include "tests/cloth/Fixtures.h"
 #include "tests/dynamics/ContactWorld.h"
 #include "tests/dynamics/DenseSink.h"
@@ -115,7 +116,7 @@ void tst_BodyContactStatics::inAHollowTheHessianIsTheCurvatureOfTheEnergy() {
 
 void tst_BodyContactStatics::inStaticsFrictionHoldsUpToTheConeAndNotBeyond() {
     const auto plane = surfaceOf(shapes::plane(1, 8));
-    const double mu = 0.3, mass = 2e-5, weight = mass * gravity;
+    const double mu = 0.3, mass = 2e-5, weight = mass * freeFall;
     for (const double angle : {10.0, 16.0, 17.4, 25.0}) {
         World world({{0, target, 0}});
         world.acceleration = slope(angle * degrees);
@@ -162,7 +163,7 @@ void tst_BodyContactStatics::aSheetDrapesOverABallAndStaysOutsideInStatics() {
 
     dynamics::Xpbd xpbd(model, {.damping = 2});
     for (int frame = 0; frame < 360; ++frame) {
-        QVERIFY(xpbd.step(state, 1.0 / 60, 20, {0, -gravity, 0}, stages));
+        QVERIFY(xpbd.step(state, 1.0 / 60, 20, {0, -freeFall, 0}, stages));
         QVERIFY(contact.clearance(state.positions) > target - 1e-4);
     }
     double speed = 0;
@@ -171,7 +172,7 @@ void tst_BodyContactStatics::aSheetDrapesOverABallAndStaysOutsideInStatics() {
     const auto draped = contact.report(state.positions);
     QVERIFY(draped.contacts > 40);
 
-    const auto report = dynamics::solveStatic(model, state, {0, -gravity, 0}, stages);
+    const auto report = dynamics::solveStatic(model, state, {0, -freeFall, 0}, stages);
     QVERIFY(report);
     QVERIFY(report->newton.converged);
     QVERIFY(report->displacementMaximum < 0.03); // it straightens what XPBD left stretched, and does not slide off
@@ -204,7 +205,7 @@ void tst_BodyContactStatics::whatPressesHardRestsAtItsDistance() {
     const std::vector<double> half(model.mass.size(), 0.0002), mu(model.mass.size(), 0.4);
     BodyContact contact(floor, dynamics::particleSamples(model, half, mu, 0.4));
     dynamics::Stage* stages[]{&contact};
-    const Vec3 load{0, -gravity * weights, 0};
+    const Vec3 load{0, -freeFall * weights, 0};
     dynamics::Xpbd xpbd(model, {});
     for (int again = 0; again < 3; ++again) {
         const auto report = dynamics::solveStatic(model, state, load, stages);
@@ -225,7 +226,7 @@ struct PressedSheet {
     BodySurface floor = surfaceOf(shapes::plane(0.5, 2));
     dynamics::ParticleState state;
     std::vector<ContactSample> samples;
-    Vec3 load{0, -20 * gravity, 0};
+    Vec3 load{0, -20 * freeFall, 0};
 
     PressedSheet() {
         const auto patch = fixtures::gridPatch(fixtures::evenLines(0.1, 8), fixtures::evenLines(0.1, 8));
@@ -299,7 +300,7 @@ void tst_BodyContactStatics::anotherContactGoesOnAsFarAsItsSamplesAreTheSame() {
 
 /// Where the nearest wall changes, the distance to triangles has a kink that draws a particle into it from both sides.
 void tst_BodyContactStatics::inAGrooveAParticleComesToRest() {
-    const double slope = 0.35, mass = 2e-5, weight = mass * gravity;
+    const double slope = 0.35, mass = 2e-5, weight = mass * freeFall;
     auto mesh = shapes::plane(0.5, 2);
     for (Vec3& v : mesh.vertices) v.y = std::abs(v.x) * std::tan(slope);
     const auto groove = surfaceOf(std::move(mesh));
@@ -325,5 +326,5 @@ void tst_BodyContactStatics::inAGrooveAParticleComesToRest() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_BodyContactStatics)
+TOILE_TEST(tst_BodyContactStatics)
 #include "tst_BodyContactStatics.moc"

@@ -3,7 +3,9 @@
 #include "core/dynamics/Energy.h"
 #include "core/dynamics/Statics.h"
 #include "core/dynamics/Xpbd.h"
+#include "tests/Suite.h"
 #include "tests/cloth/Fixtures.h"
+#include "tests/dynamics/Constants.h"
 
 #include <QTest>
 #include <memory>
@@ -15,8 +17,6 @@ using dynamics::LevelMesh;
 using dynamics::ParticleState;
 
 namespace {
-
-const Vec3 gravity{0, -9.81, 0};
 
 /// Poplin that gives 1 mm under its own weight over a metre.
 Fabric poplin() {
@@ -262,5 +262,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_CoarseLevels)
+TOILE_TEST(tst_CoarseLevels)
 #include "tst_CoarseLevels.moc"

@@ -2,6 +2,8 @@
 #include "core/dynamics/EnergyWatch.h"
 #include "core/dynamics/Xpbd.h"
 #include "core/study/Scenes.h"
+#include "tests/Suite.h"
+#include "tests/dynamics/Constants.h"
 
 #include <QTest>
 
@@ -10,8 +12,6 @@ using dynamics::EnergyWatch;
 using dynamics::ParticleState;
 
 namespace {
-
-const Vec3 gravity{0, -9.81, 0};
 
 /// Two particles of 0.1 kg on a spring of 100 N/m and 0.1 m.
 cloth::ClothModel pair() {
@@ -91,5 +91,5 @@ void tst_EnergyWatch::fallingClothIsNotAccused() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_EnergyWatch)
+TOILE_TEST(tst_EnergyWatch)
 #include "tst_EnergyWatch.moc"

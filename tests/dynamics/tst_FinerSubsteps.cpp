@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "IdleStage.h"
 #include "core/dynamics/FinerSubsteps.h"
+#include "tests/Suite.h"
+#include "tests/dynamics/Constants.h"
 
 #include <QTest>
 #include <limits>
@@ -12,9 +14,9 @@ using dynamics::ParticleState;
 namespace {
 
 /// A force that is no number as long as substeps are longer than it can bear.
-class Fragile final : public dynamics::IdleStage {
+class TooStiff final : public dynamics::IdleStage {
 public:
-    explicit Fragile(double longest) : longest_(longest) {}
+    explicit TooStiff(double longest) : longest_(longest) {}
 
     void project(dynamics::Substep& substep) override {
         if (substep.duration > longest_) substep.positions[0].x = std::numeric_limits<double>::quiet_NaN();
@@ -24,20 +26,19 @@ private:
     double longest_; ///< substep [s]
 };
 
-constexpr double duration = 1.0 / 60; // [s]
 constexpr int substeps = 10;
 
 /// A particle that falls.
-struct Drop {
+struct StiffDrop {
     cloth::ClothModel model{.mass = {0.01}};
     ParticleState state{.positions = {{0, 1, 0}}, .velocities = {{0, 0, 0}}};
 
     /// In substeps of which those are no numbers that are longer than so many in a frame step would be.
     Result<dynamics::StepReport> stepBearing(int needed) {
         dynamics::Xpbd xpbd(model, {});
-        Fragile fragile(duration / needed * 1.001);
-        dynamics::Stage* const stages[] = {&fragile};
-        return dynamics::stepOrFiner(xpbd, state, duration, substeps, {0, -9.81, 0}, stages);
+        TooStiff stage(frame / needed * 1.001);
+        dynamics::Stage* const stages[] = {&stage};
+        return dynamics::stepOrFiner(xpbd, state, frame, substeps, {0, -9.81, 0}, stages);
     }
 };
 
@@ -53,7 +54,7 @@ private slots:
 };
 
 void tst_FinerSubsteps::whatEndsInNumbersIsNotMadeAgain() {
-    Drop drop;
+    StiffDrop drop;
     const auto report = drop.stepBearing(substeps);
     QVERIFY(report);
     QCOMPARE(report->parts, substeps);
@@ -70,17 +71,17 @@ void tst_FinerSubsteps::whatDoesNotIsMadeAgainInFinerSubsteps_data() {
 void tst_FinerSubsteps::whatDoesNotIsMadeAgainInFinerSubsteps() {
     QFETCH(int, needed);
     QFETCH(int, repeated);
-    Drop drop;
+    StiffDrop drop;
     const auto report = drop.stepBearing(needed);
     QVERIFY2(report, report ? "" : report.error().text.c_str());
     QCOMPARE(report->parts, needed);
     QCOMPARE(report->repeated, repeated);
     QVERIFY(drop.state.positions[0].y < 1);
-    QCOMPARE(drop.state.time, duration);
+    QCOMPARE(drop.state.time, frame);
 }
 
 void tst_FinerSubsteps::whatNeverDoesIsAnError() {
-    Drop drop;
+    StiffDrop drop;
     const auto report = drop.stepBearing(5 * substeps);
     QVERIFY(!report);
     QVERIFY(report.error().code == ErrorCode::notConverged);
@@ -88,5 +89,5 @@ void tst_FinerSubsteps::whatNeverDoesIsAnError() {
     QCOMPARE(drop.state.time, 0.0);
 }
 
-QTEST_APPLESS_MAIN(tst_FinerSubsteps)
+TOILE_TEST(tst_FinerSubsteps)
 #include "tst_FinerSubsteps.moc"

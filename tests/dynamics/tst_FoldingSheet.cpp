@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/collision/BodySurface.h"
 #include "core/dynamics/BodyContact.h"
+#include "tests/Suite.h"
 #include "tests/collision/Shapes.h"
+#include "tests/dynamics/Constants.h"
 #include "tests/dynamics/LayeredCloth.h"
 
 #include <QTest>
@@ -11,9 +13,6 @@ using namespace toile::layers;
 using dynamics::Stage;
 
 namespace {
-
-constexpr double frame = 1.0 / 60;
-const Vec3 gravity{0, -9.81, 0};
 
 /// Says after how many frames the cloth first meets itself; −1 = never.
 int firstIntersection(Cloth& cloth, int frames, int substeps, std::span<Stage* const> stages) {
@@ -90,5 +89,5 @@ void tst_FoldingSheet::aSheetOverASmallBallNeverMeetsItself() {
     QVERIFY(onBall.clearance(cloth.state.positions) > 0.001);
 }
 
-QTEST_APPLESS_MAIN(tst_FoldingSheet)
+TOILE_TEST(tst_FoldingSheet)
 #include "tst_FoldingSheet.moc"

@@ -2,6 +2,8 @@
 #include "IdleStage.h"
 #include "core/dynamics/GuardedStep.h"
 #include "core/dynamics/Method.h"
+#include "tests/Suite.h"
+#include "tests/dynamics/Constants.h"
 
 #include <QTest>
 #include <limits>
@@ -13,9 +15,9 @@ using dynamics::ParticleState;
 namespace {
 
 /// A force that is no number for so many steps, and none after that.
-class Fragile final : public dynamics::IdleStage {
+class BrokenForSteps final : public dynamics::IdleStage {
 public:
-    explicit Fragile(int broken) : broken_(broken) {}
+    explicit BrokenForSteps(int broken) : broken_(broken) {}
 
     void beginStep(const ParticleState&, double) override { --broken_; }
     void addForces(std::span<const Vec3>, std::span<Vec3> forces) const override {
@@ -26,11 +28,8 @@ private:
     int broken_;
 };
 
-constexpr double duration = 1.0 / 60; // [s]
-const Vec3 gravity{0, -9.81, 0};
-
 /// A particle that falls.
-struct Drop {
+struct GuardedDrop {
     cloth::ClothModel model{.mass = {0.01}};
     ParticleState state{.positions = {{0, 1, 0}}, .velocities = {{0, 0, 0}}};
     int asked = 0; ///< for the safe method
@@ -38,13 +37,13 @@ struct Drop {
     Result<dynamics::GuardedReport> stepWhile(int broken, Method method) {
         const auto integrator = dynamics::makeIntegrator(method, model, {.damping = 0});
         const auto safe = dynamics::makeIntegrator(Method::backwardEuler, model, {.damping = 0});
-        Fragile fragile(broken);
-        dynamics::Stage* const stages[] = {&fragile};
+        BrokenForSteps stage(broken);
+        dynamics::Stage* const stages[] = {&stage};
         const auto ask = [&]() -> dynamics::Integrator& {
             ++asked;
             return *safe;
         };
-        return dynamics::guardedStep({*integrator, ask, nullptr}, state, duration, gravity, stages);
+        return dynamics::guardedStep({*integrator, ask, nullptr}, state, frame, gravity, stages);
     }
 };
 
@@ -55,8 +54,6 @@ void explicitMethods() {
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(toile::dynamics::Method)
 
 class tst_GuardedStep : public QObject {
     Q_OBJECT
@@ -70,7 +67,7 @@ private slots:
 
 void tst_GuardedStep::whatEndsInNumbersIsLeftAlone() {
     QFETCH(Method, method);
-    Drop drop;
+    GuardedDrop drop;
     const auto report = drop.stepWhile(0, method);
     QVERIFY(report);
     QVERIFY(!report->redone);
@@ -80,18 +77,18 @@ void tst_GuardedStep::whatEndsInNumbersIsLeftAlone() {
 
 void tst_GuardedStep::whatDoesNotIsMadeAgain() {
     QFETCH(Method, method);
-    Drop drop;
+    GuardedDrop drop;
     const auto report = drop.stepWhile(1, method);
     QVERIFY2(report, report ? "" : report.error().text.c_str());
     QVERIFY(report->redone);
     QVERIFY(report->step.accurate);
     QVERIFY(report->step.repeated >= 1);
-    QCOMPARE(drop.state.time, duration);
-    QVERIFY(std::abs(drop.state.velocities[0].y + 9.81 * duration) < 1e-4); // as Newton solves it
+    QCOMPARE(drop.state.time, frame);
+    QVERIFY(std::abs(drop.state.velocities[0].y + 9.81 * frame) < 1e-4); // as Newton solves it
 }
 
 void tst_GuardedStep::whatNeverDoesIsAnError() {
-    Drop drop;
+    GuardedDrop drop;
     const auto report = drop.stepWhile(1000, Method::symplecticEuler);
     QVERIFY(!report);
     QVERIFY(report.error().code == ErrorCode::notConverged);
@@ -99,5 +96,5 @@ void tst_GuardedStep::whatNeverDoesIsAnError() {
     QCOMPARE(drop.state.time, 0.0);
 }
 
-QTEST_APPLESS_MAIN(tst_GuardedStep)
+TOILE_TEST(tst_GuardedStep)
 #include "tst_GuardedStep.moc"

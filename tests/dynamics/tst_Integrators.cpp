@@ -2,7 +2,8 @@
 #include "core/cloth/Forces.h"
 #include "core/dynamics/Energy.h"
 #include "core/dynamics/Method.h"
-#include "tests/cloth/Fixtures.h"
+#include "tests/Suite.h"
+#include "tests/dynamics/Specimen.h"
 
 #include <QTest>
 #include <limits>
@@ -16,23 +17,11 @@ using dynamics::ParticleState;
 
 namespace {
 
-const Vec3 gravity{0, -9.81, 0};
 constexpr double tight = 1e-10; ///< tolerance of Newton where the method itself is looked at
 
-struct Cloth {
-    ClothModel model;
-    ParticleState state;
-};
-
-ClothModel modelOf(const Patch& patch, const Fabric& fabric) {
-    ClothModel model;
-    if (auto report = cloth::appendPatch(model, patch, fabric); !report) qFatal("%s", toString(report.error()).c_str());
-    return model;
-}
-
 /// A horizontal square of 0.2 m; pinned: by particle.
-Cloth sheet(std::vector<int> pinned, const Patch& patch = gridPatch(evenLines(0.2, 5), evenLines(0.2, 5))) {
-    Cloth c{modelOf(patch, wovenFabric()), {}};
+Specimen sheet(std::vector<int> pinned, const Patch& patch = gridPatch(evenLines(0.2, 5), evenLines(0.2, 5))) {
+    Specimen c{modelOf(patch, wovenFabric()), {}};
     c.model.pinned = std::move(pinned);
     c.state.positions.resize(patch.material.size());
     for (std::size_t n = 0; n < patch.material.size(); ++n)
@@ -41,16 +30,11 @@ Cloth sheet(std::vector<int> pinned, const Patch& patch = gridPatch(evenLines(0.
     return c;
 }
 
-Cloth oneParticle() {
-    Cloth c;
+Specimen oneParticle() {
+    Specimen c;
     c.model.mass = {0.01};
     c.state = {.positions = {{0, 10, 0}}, .velocities = {{}}};
     return c;
-}
-
-void run(Integrator& integrator, ParticleState& state, int steps, double h, const Vec3& g = gravity) {
-    for (int i = 0; i < steps; ++i)
-        if (const auto done = integrator.step(state, h, g); !done) qFatal("%s", toString(done.error()).c_str());
 }
 
 /// A method, and the tolerance of its positions if its steps are adapted.
@@ -70,7 +54,6 @@ bool isFirstOrder(Method method) {
 }
 
 } // namespace
-Q_DECLARE_METATYPE(Way)
 
 /// What every method promises (Integrator.h).
 class tst_Integrators : public QObject {
@@ -90,7 +73,7 @@ private slots:
         for (const Method method : dynamics::allMethods()) {
             QVERIFY(names.insert(dynamics::nameOf(method)).second);
             QVERIFY(dynamics::methodNamed(dynamics::nameOf(method)) == method);
-            const Cloth c = oneParticle();
+            const Specimen c = oneParticle();
             QVERIFY(dynamics::makeIntegrator(method, c.model, {})->name() == dynamics::nameOf(method));
         }
         QVERIFY(!dynamics::methodNamed("leapfrog"));
@@ -99,7 +82,7 @@ private slots:
     void momentumIsKept_data() { everyMethod(); }
     void momentumIsKept() {
         QFETCH(Way, way);
-        Cloth c = sheet({});
+        Specimen c = sheet({});
         shake(c.state.velocities, 1);
         const auto integrator = made(way, c.model, {.damping = 0, .tolerance = tight});
         const Vec3 before = momentum(c.model, c.state);
@@ -115,7 +98,7 @@ private slots:
     void whatRestsStaysAtRest_data() { everyMethod(); }
     void whatRestsStaysAtRest() {
         QFETCH(Way, way);
-        Cloth c = sheet({});
+        Specimen c = sheet({});
         const auto integrator = made(way, c.model, {});
         const auto before = c.state.positions;
         run(*integrator, c.state, 60, 1.0 / 60, {});
@@ -129,7 +112,7 @@ private slots:
     void pinsStay_data() { everyMethod(); }
     void pinsStay() {
         QFETCH(Way, way);
-        Cloth c = sheet({0, 5});
+        Specimen c = sheet({0, 5});
         c.state.velocities[5] = {1, 2, 3}; // even if someone says they move
         const auto before = c.state.positions;
         const auto integrator = made(way, c.model, {});
@@ -144,7 +127,7 @@ private slots:
     void slavesFollowTheirMasters_data() { everyMethod(); }
     void slavesFollowTheirMasters() {
         QFETCH(Way, way);
-        Cloth c = sheet({0, 2}, twoRegionPatch(0.1, 2, 0.1, 2, 0.2, 4));
+        Specimen c = sheet({0, 2}, twoRegionPatch(0.1, 2, 0.1, 2, 0.2, 4));
         QVERIFY(!c.model.slaves.empty());
         const auto integrator = made(way, c.model, {});
         run(*integrator, c.state, 10, 1.0 / 60);
@@ -160,10 +143,10 @@ private slots:
     void equalStartsGiveEqualBits_data() { everyMethod(); }
     void equalStartsGiveEqualBits() {
         QFETCH(Way, way);
-        const Cloth start = sheet({0, 5});
+        const Specimen start = sheet({0, 5});
         ParticleState ends[2];
         for (ParticleState& end : ends) {
-            Cloth c = start;
+            Specimen c = start;
             const auto integrator = made(way, c.model, {});
             run(*integrator, c.state, 6, 1.0 / 60);
             end = c.state;
@@ -175,7 +158,7 @@ private slots:
     void freeFallIsExactOrToItsOrder_data() { everyMethod(); }
     void freeFallIsExactOrToItsOrder() {
         QFETCH(Way, way);
-        Cloth c = oneParticle();
+        Specimen c = oneParticle();
         constexpr double h = 1.0 / 60;
         constexpr int n = 60;
         const auto integrator = made(way, c.model, {.damping = 0, .substeps = 1, .tolerance = tight});
@@ -190,7 +173,7 @@ private slots:
         QFETCH(Way, way);
         constexpr double damping = 2, time = 0.5;
         const auto errorAt = [&](int steps) {
-            Cloth c = oneParticle();
+            Specimen c = oneParticle();
             c.state.velocities[0] = {1, 0, 0};
             const auto integrator = made(way, c.model, {.damping = damping, .substeps = 1, .tolerance = 1e-14});
             run(*integrator, c.state, steps, time / steps, {});
@@ -204,7 +187,7 @@ private slots:
     void durationsThatCannotBeMadeAreRefused_data() { everyMethod(); }
     void durationsThatCannotBeMadeAreRefused() {
         QFETCH(Way, way);
-        Cloth c = sheet({0});
+        Specimen c = sheet({0});
         const auto integrator = made(way, c.model, {});
         for (const double duration :
              {0.0, -0.01, 1e9, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
@@ -219,7 +202,7 @@ private slots:
     void whatIsNoNumberIsNotLetIn_data() { everyMethod(); }
     void whatIsNoNumberIsNotLetIn() {
         QFETCH(Way, way);
-        const Cloth sound = sheet({0});
+        const Specimen sound = sheet({0});
         const auto integrator = made(way, sound.model, {});
         const double nan = std::numeric_limits<double>::quiet_NaN();
         ParticleState place = sound.state, speed = sound.state;
@@ -235,7 +218,7 @@ private slots:
     void forcesThatAreNoNumberDoNotComeOut_data() { everyMethod(); }
     void forcesThatAreNoNumberDoNotComeOut() {
         QFETCH(Way, way);
-        Cloth c = sheet({0});
+        Specimen c = sheet({0});
         const auto before = c.state.positions;
         const auto integrator = made(way, c.model, {});
         const auto refused = integrator->step(c.state, 1.0 / 60, {0, std::numeric_limits<double>::quiet_NaN(), 0});
@@ -246,7 +229,7 @@ private slots:
     void aParticleWithoutMassIsNamed_data() { everyMethod(); }
     void aParticleWithoutMassIsNamed() {
         QFETCH(Way, way);
-        Cloth c = sheet({0});
+        Specimen c = sheet({0});
         c.model.mass[3] = 0;
         const auto integrator = made(way, c.model, {});
         const auto refused = integrator->step(c.state, 1.0 / 60, gravity);
@@ -256,7 +239,7 @@ private slots:
     void aStopIsAnswered_data() { everyMethod(); }
     void aStopIsAnswered() {
         QFETCH(Way, way);
-        Cloth c = sheet({0});
+        Specimen c = sheet({0});
         const auto integrator = made(way, c.model, {});
         std::stop_source source;
         source.request_stop();
@@ -276,7 +259,7 @@ private slots:
     }
     void aFallingSheetGainsNoEnergy() {
         QFETCH(Way, way);
-        Cloth c = sheet({0, 5});
+        Specimen c = sheet({0, 5});
         const auto integrator = made(way, c.model, {});
         const double start = energies(c.model, c.state, gravity).total();
         double most = start, turned = 0;
@@ -290,5 +273,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Integrators)
+TOILE_TEST(tst_Integrators)
 #include "tst_Integrators.moc"

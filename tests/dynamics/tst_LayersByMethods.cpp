@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/Method.h"
+#include "tests/Suite.h"
+#include "tests/dynamics/Constants.h"
 #include "tests/dynamics/LayeredCloth.h"
 
 #include <QTest>
@@ -9,11 +11,7 @@ using namespace toile::layers;
 using dynamics::Method;
 using dynamics::Stage;
 
-Q_DECLARE_METATYPE(toile::dynamics::Method)
-
 namespace {
-
-const Vec3 gravity{0, -9.81, 0};
 
 /// A sheet of 60 mm that flies askew at a pinned one of 120 mm [m/s].
 Cloth thrownSheet(double speed) {
@@ -27,14 +25,6 @@ Cloth thrownSheet(double speed) {
     for (std::size_t p = cloth.model.pinned.size(); p < cloth.state.positions.size(); ++p)
         cloth.state.velocities[p] = {0.1 * speed, -speed, 0};
     return cloth;
-}
-
-/// Of the particles that are not pinned.
-double lowest(const Cloth& cloth) {
-    double least = 1e300;
-    for (std::size_t p = cloth.model.pinned.size(); p < cloth.state.positions.size(); ++p)
-        least = std::min(least, cloth.state.positions[p].y);
-    return least;
 }
 
 } // namespace
@@ -86,5 +76,5 @@ void tst_LayersByMethods::slavesAreHeldToo() {
     QVERIFY(cloth.state.velocities.back() != Vec3{}); // of the sheet that was at rest
 }
 
-QTEST_APPLESS_MAIN(tst_LayersByMethods)
+TOILE_TEST(tst_LayersByMethods)
 #include "tst_LayersByMethods.moc"

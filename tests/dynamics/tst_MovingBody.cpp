@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/dynamics/ContactWorld.h"
 
 #include <QTest>
@@ -73,7 +74,7 @@ void tst_MovingBody::frictionCarriesClothAlong() {
     contact.follow(moving);
     World world({{0, target, 0.2}});
     run(world, contact, seconds, h);
-    const double pull = friction * gravity;
+    const double pull = friction * freeFall;
     const bool sticks = pull * seconds > belt;
     const double way = sticks ? belt * seconds - belt * belt / (2 * pull) : pull * seconds * seconds / 2;
     QVERIFY2(std::abs(world.positions[0].x - way) < 0.005 * belt * seconds,
@@ -131,5 +132,5 @@ void tst_MovingBody::aBodyThatStandsStillInItsMotionIsOneThatDoesNotMove() {
     QVERIFY(follows.clearance(b.positions) > target - 1e-4);
 }
 
-QTEST_APPLESS_MAIN(tst_MovingBody)
+TOILE_TEST(tst_MovingBody)
 #include "tst_MovingBody.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/Pressure.h"
+#include "tests/Suite.h"
 
 #include "core/dynamics/Method.h"
 #include "core/dynamics/Statics.h"
@@ -158,5 +159,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Pressure)
+TOILE_TEST(tst_Pressure)
 #include "tst_Pressure.moc"

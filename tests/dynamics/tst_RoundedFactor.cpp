@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/RoundedFactor.h"
+#include "tests/Suite.h"
 
 #include "core/dynamics/BlockCholesky.h"
 #include "core/dynamics/BlockVectors.h"
@@ -13,7 +14,7 @@ using namespace toile::dynamics;
 
 namespace {
 
-constexpr int side = 90; ///< large enough for subtrees and parts of a product to be shared out
+constexpr int latticeSide = 90; ///< large enough for subtrees and parts of a product to be shared out
 
 /// Springs in three directions between neighbours of a square lattice, on a soft ground.
 void give(BlockMatrix& matrix, double ground) {
@@ -30,12 +31,12 @@ void give(BlockMatrix& matrix, double ground) {
         matrix.add(b, b, block);
         matrix.add(std::max(a, b), std::min(a, b), opposite);
     };
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column) {
-            const int at = row * side + column;
-            if (column + 1 < side) join(at, at + 1);
-            if (row + 1 < side) join(at, at + side);
-            if (row + 1 < side && column + 1 < side) join(at, at + side + 1);
+    for (int row = 0; row < latticeSide; ++row)
+        for (int column = 0; column < latticeSide; ++column) {
+            const int at = row * latticeSide + column;
+            if (column + 1 < latticeSide) join(at, at + 1);
+            if (row + 1 < latticeSide) join(at, at + latticeSide);
+            if (row + 1 < latticeSide && column + 1 < latticeSide) join(at, at + latticeSide + 1);
             const double own[9] = {ground, 0, 0, 0, ground, 0, 0, 0, ground};
             matrix.add(at, at, own);
         }
@@ -45,15 +46,16 @@ void give(BlockMatrix& matrix, double ground) {
 std::vector<Vec3> vectors(unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
-    std::vector<Vec3> some(side * side);
+    std::vector<Vec3> some(latticeSide * latticeSide);
     for (Vec3& v : some) v = {normal(random), normal(random), normal(random)};
     return some;
 }
 
 struct Lattice {
-    explicit Lattice(double ground) : matrix(side * side) {
+    explicit Lattice(double ground) : matrix(latticeSide * latticeSide) {
         give(matrix, ground);
-        if (!matrix.factorize(std::vector<double>(side * side, 0.0))) qFatal("a lattice on a ground is definite");
+        if (!matrix.factorize(std::vector<double>(latticeSide * latticeSide, 0.0)))
+            qFatal("a lattice on a ground is definite");
         factor.take(matrix.factor());
     }
     BlockCholesky matrix;
@@ -126,5 +128,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_RoundedFactor)
+TOILE_TEST(tst_RoundedFactor)
 #include "tst_RoundedFactor.moc"

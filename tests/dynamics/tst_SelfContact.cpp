@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/Energy.h"
+#include "tests/Suite.h"
+#include "tests/dynamics/Constants.h"
 #include "tests/dynamics/LayeredCloth.h"
 
 #include <QTest>
@@ -12,9 +14,6 @@ using dynamics::Stage;
 
 namespace {
 
-constexpr double frame = 1.0 / 60;
-const Vec3 gravity{0, -9.81, 0};
-
 /// A small sheet at some height over a larger one that is pinned everywhere at y = 0.
 Cloth sheetOver(double height, double friction = 0.3) {
     Cloth cloth;
@@ -22,14 +21,6 @@ Cloth sheetOver(double height, double friction = 0.3) {
     pin(cloth, 0, cloth.model.particleCount());
     append(cloth, 0.1, 10, 0.1, 10, friction, level(height));
     return cloth;
-}
-
-/// Of the particles that are not pinned.
-double lowest(const Cloth& cloth) {
-    double least = 1e300;
-    for (int p = static_cast<int>(cloth.model.pinned.size()); p < cloth.model.particleCount(); ++p)
-        least = std::min(least, cloth.state.positions[p].y);
-    return least;
 }
 
 double meanX(const Cloth& cloth) {
@@ -260,5 +251,5 @@ void tst_SelfContact::equalStartsGiveEqualBits() {
     QVERIFY(one.state.positions == two.state.positions);
 }
 
-QTEST_APPLESS_MAIN(tst_SelfContact)
+TOILE_TEST(tst_SelfContact)
 #include "tst_SelfContact.moc"

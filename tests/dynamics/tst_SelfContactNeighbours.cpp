@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/Statics.h"
 #include "core/dynamics/Ways.h"
+#include "tests/Suite.h"
+#include "tests/dynamics/Constants.h"
 #include "tests/dynamics/LayeredCloth.h"
 
 #include <QTest>
@@ -14,8 +16,6 @@ using dynamics::SelfContact;
 using dynamics::SelfContactSettings;
 
 namespace {
-
-constexpr double frame = 1.0 / 60;
 
 /// Two square sheets of 5 mm cells, one `gap` above the other.
 Cloth twoSheets(int cells, double gap) {
@@ -271,5 +271,5 @@ void tst_SelfContactNeighbours::staticsWithRoomForFewPairsComesToTheSameRest() {
         QVERIFY(cloth.state.positions[p].y > 0 && cloth.state.positions[p].y < thickness);
 }
 
-QTEST_APPLESS_MAIN(tst_SelfContactNeighbours)
+TOILE_TEST(tst_SelfContactNeighbours)
 #include "tst_SelfContactNeighbours.moc"

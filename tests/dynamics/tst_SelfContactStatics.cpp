@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/Statics.h"
+#include "tests/Suite.h"
 #include "tests/dynamics/DenseSink.h"
 #include "tests/dynamics/LayeredCloth.h"
 
@@ -221,5 +222,5 @@ void tst_SelfContactStatics::aSheetComesToRestOnAnother() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_SelfContactStatics)
+TOILE_TEST(tst_SelfContactStatics)
 #include "tst_SelfContactStatics.moc"

@@ -5,7 +5,8 @@
 #include "core/dynamics/Method.h"
 #include "core/dynamics/Statics.h"
 #include "core/dynamics/Xpbd.h"
-#include "tests/cloth/Fixtures.h"
+#include "tests/Suite.h"
+#include "tests/dynamics/Specimen.h"
 
 #include <QTest>
 #include <limits>
@@ -16,16 +17,9 @@ using namespace toile::fixtures;
 
 namespace {
 
-const Vec3 gravity{0, -9.81, 0};
-
-struct Sheet {
-    ClothModel model;
-    dynamics::ParticleState state;
-};
-
 /// A horizontal square sheet of `cells`² cells and side `size`, its corners at −x pinned.
-Sheet sheet(const Fabric& fabric, double size, int cells, bool triangles = false) {
-    Sheet s;
+Specimen heldSheet(const Fabric& fabric, double size, int cells, bool triangles = false) {
+    Specimen s;
     const auto lines = evenLines(size, cells);
     const Patch patch = triangles ? trianglePatch(lines, lines) : gridPatch(lines, lines);
     auto report = cloth::appendPatch(s.model, patch, fabric);
@@ -80,7 +74,7 @@ struct Stopper : dynamics::Stage {
     void addHessian(std::span<const Vec3>, dynamics::HessianSink&) const override { count(Question::hessian); }
 };
 
-double residualOf(const Sheet& s) {
+double residualOf(const Specimen& s) {
     std::vector<Vec3> forces(s.state.positions.size());
     cloth::addForces(s.model, s.state.positions, forces);
     cloth::gatherToMasters(s.model, forces);
@@ -109,7 +103,7 @@ private slots:
     void aSheetOnTwoCornersComesToRestFromItsDrape() {
         QFETCH(bool, knit);
         QFETCH(bool, triangles);
-        Sheet s = sheet(knit ? knitFabric() : wovenFabric(), 0.5, 20, triangles);
+        Specimen s = heldSheet(knit ? knitFabric() : wovenFabric(), 0.5, 20, triangles);
         dynamics::Xpbd xpbd(s.model, {.damping = 3});
         for (int frame = 0; frame < 120; ++frame) QVERIFY(xpbd.step(s.state, 1.0 / 60, 20, gravity, {}));
         const auto report = dynamics::solveStatic(s.model, s.state, gravity, {});
@@ -120,7 +114,7 @@ private slots:
     }
 
     void aSheetOnABallComesToRestWithContactAndFriction() {
-        Sheet s = sheet(wovenFabric(), 0.5, 20);
+        Specimen s = heldSheet(wovenFabric(), 0.5, 20);
         s.model.pinned.clear();
         for (Vec3& x : s.state.positions) x += Vec3{-0.237, 0.16, -0.243};
         const auto body = collision::BodySurface::create(ball(0.15, 30));
@@ -152,7 +146,7 @@ private slots:
     }
     void aStopEndsWhatIsUnderWayAndNothingElse() {
         QFETCH(int, cells);
-        Sheet s = sheet(wovenFabric(), 0.5, cells);
+        Specimen s = heldSheet(wovenFabric(), 0.5, cells);
         QFETCH(Stopper::Question, which);
         QFETCH(int, stopAt);
         Stopper stopper;
@@ -173,7 +167,7 @@ private slots:
     /// Both leave a thousandth of the mean particle weight at most: what is soft may lie apart by a tenth of a cell.
     void withoutMemoryForAFactorTheSameRestIsFound() {
         QFETCH(int, cells);
-        Sheet s = sheet(wovenFabric(), 0.5, cells);
+        Specimen s = heldSheet(wovenFabric(), 0.5, cells);
         dynamics::Xpbd xpbd(s.model, {.damping = 3});
         for (int frame = 0; frame < 120; ++frame) QVERIFY(xpbd.step(s.state, 1.0 / 60, 20, gravity, {}));
         dynamics::ParticleState within = s.state;
@@ -191,7 +185,7 @@ private slots:
     }
 
     void aFactorThatFitsIsMadeUpToTheLastByte() {
-        Sheet s = sheet(wovenFabric(), 0.5, 16);
+        Specimen s = heldSheet(wovenFabric(), 0.5, 16);
         dynamics::ParticleState another = s.state, third = s.state;
         const auto refused = dynamics::solveStatic(s.model, s.state, gravity, {}, {.factorBytes = 0});
         QVERIFY(refused && refused->newton.refusedFactor > 0);
@@ -211,7 +205,7 @@ private slots:
     /// Conjugate gradients that may take none before the factor takes over always ask for it.
     void stepsInTimeGoOnWithoutAFactor() {
         QFETCH(dynamics::Method, method);
-        Sheet s = sheet(wovenFabric(), 0.5, 16);
+        Specimen s = heldSheet(wovenFabric(), 0.5, 16);
         dynamics::ParticleState within = s.state;
         const auto usual = dynamics::makeIntegrator(method, s.model, {.gradientIterations = 0});
         const auto bounded = dynamics::makeIntegrator(method, s.model, {.gradientIterations = 0, .factorBytes = 0});
@@ -229,7 +223,7 @@ private slots:
     }
 
     void aFlatSheetFallsIntoEquilibriumToo() {
-        Sheet s = sheet(wovenFabric(), 0.5, 16);
+        Specimen s = heldSheet(wovenFabric(), 0.5, 16);
         const auto report = dynamics::solveStatic(s.model, s.state, gravity, {});
         QVERIFY(report);
         QVERIFY(report->newton.converged);
@@ -237,5 +231,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Statics)
+TOILE_TEST(tst_Statics)
 #include "tst_Statics.moc"

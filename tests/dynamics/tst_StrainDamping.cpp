@@ -3,26 +3,23 @@
 #include "core/dynamics/Method.h"
 #include "core/dynamics/StrainDamping.h"
 #include "core/study/validation/Sheets.h"
+#include "tests/Suite.h"
+#include "tests/dynamics/Specimen.h"
 
 #include <QTest>
 #include <random>
 
 using namespace toile;
 using namespace toile::dynamics;
-using study::validation::modelOf;
+using fixtures::Specimen;
 
 namespace {
 
-struct Sheet {
-    cloth::ClothModel model;
-    ParticleState state;
-};
-
 /// A sheet of 8 × 8 cells in disorder: every particle has a speed of its own.
-Sheet kicked(double speed) {
+Specimen kicked(double speed) {
     cloth::Patch patch =
         study::validation::gridPatch(study::validation::evenLines(0.2, 8), study::validation::evenLines(0.2, 8));
-    Sheet sheet{modelOf(patch, study::validation::unequalWeave()), {}};
+    Specimen sheet{study::validation::modelOf(patch, study::validation::unequalWeave()), {}};
     std::mt19937 random(7);
     std::uniform_real_distribution<double> some(-speed, speed);
     for (int p = 0; p < sheet.model.particleCount(); ++p) {
@@ -52,7 +49,7 @@ private slots:
         QFETCH(Method, method);
         double left[2];
         for (const bool isDamped : {false, true}) {
-            Sheet sheet = kicked(0.1);
+            Specimen sheet = kicked(0.1);
             const Vec3 before = momentum(sheet.model, sheet.state);
             StrainDamping damping(sheet.model, 0.01, sheet.state.positions);
             Stage* const stages[] = {&damping};
@@ -71,7 +68,7 @@ private slots:
     /// However strong: in one substep no kinetic energy is won, and cloth that moves as a whole goes on.
     void aSubstepPutsNoEnergyIn() {
         for (const double time : {1e-4, 1e-2, 1e3}) {
-            Sheet sheet = kicked(1);
+            Specimen sheet = kicked(1);
             const double h = 1e-3;
             std::vector<Vec3> moved = sheet.state.positions;
             std::vector<double> inverseMass;
@@ -92,7 +89,7 @@ private slots:
     void clothThatMovesAsAWholeIsNotResisted_data() { energyGoesSoonerAndMomentumStays_data(); }
     void clothThatMovesAsAWholeIsNotResisted() {
         QFETCH(Method, method);
-        Sheet sheet = kicked(0);
+        Specimen sheet = kicked(0);
         for (std::size_t p = 0; p < sheet.state.positions.size(); ++p)
             sheet.state.velocities[p] = Vec3{1, 2, 3} + cross(Vec3{0, 0, 0.01}, sheet.state.positions[p]);
         const ParticleState start = sheet.state;
@@ -108,7 +105,7 @@ private slots:
     }
 
     void explicitStepsAreShorter() {
-        const Sheet sheet = kicked(0);
+        const Specimen sheet = kicked(0);
         const auto integrator = makeIntegrator(Method::symplecticEuler, sheet.model, {.damping = 0});
         StrainDamping damping(sheet.model, 0.01, sheet.state.positions);
         Stage* const stages[] = {&damping};
@@ -120,5 +117,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_StrainDamping)
+TOILE_TEST(tst_StrainDamping, QCoreApplication)
 #include "tst_StrainDamping.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/StrainLimit.h"
 #include "core/dynamics/Xpbd.h"
+#include "tests/Suite.h"
 #include "tests/cloth/Fixtures.h"
 
 #include <QTest>
@@ -26,10 +27,10 @@ struct Pull : dynamics::Stage {
     void addHessian(std::span<const Vec3>, dynamics::HessianSink&) const override {}
 };
 
-struct Sheet {
+struct PulledSheet {
     cloth::ClothModel model;
     ParticleState state;
-    explicit Sheet(const Fabric& fabric) {
+    explicit PulledSheet(const Fabric& fabric) {
         const Patch patch = gridPatch(evenLines(0.2, 8), evenLines(0.2, 8));
         if (!cloth::appendPatch(model, patch, fabric)) qFatal("a sheet is a cloth");
         for (const Vec3& p : flatPositions(patch)) state.positions.push_back(p);
@@ -73,7 +74,7 @@ private slots:
 };
 
 void tst_StrainLimit::clothThatIsPulledHardStretchesLittle() {
-    const double free = Sheet(wovenFabric()).pulled(false), limited = Sheet(wovenFabric()).pulled(true);
+    const double free = PulledSheet(wovenFabric()).pulled(false), limited = PulledSheet(wovenFabric()).pulled(true);
     QVERIFY2(free > 1, qPrintable(QString::number(free)));
     QVERIFY2(limited < 0.25, qPrintable(QString::number(limited)));
 }
@@ -91,7 +92,7 @@ void tst_StrainLimit::whatMayBeAsLongStaysAsItIs() {
     QFETCH(const bool, isKnit);
     QFETCH(const double, stretch);
     QFETCH(const bool, isMoved);
-    Sheet sheet(isKnit ? knitFabric() : wovenFabric());
+    PulledSheet sheet(isKnit ? knitFabric() : wovenFabric());
     for (Vec3& p : sheet.state.positions) p *= stretch;
     const std::vector<Vec3> before = sheet.state.positions;
     const std::vector<double> inverseMass(before.size(), 1.0);
@@ -102,7 +103,7 @@ void tst_StrainLimit::whatMayBeAsLongStaysAsItIs() {
 }
 
 void tst_StrainLimit::momentumIsKept() {
-    Sheet sheet(wovenFabric());
+    PulledSheet sheet(wovenFabric());
     std::vector<double> inverseMass;
     for (std::size_t p = 0; p < sheet.state.positions.size(); ++p) {
         sheet.state.positions[p] *= 1.2 + 0.1 * std::sin(static_cast<double>(p));
@@ -120,5 +121,5 @@ void tst_StrainLimit::momentumIsKept() {
     QVERIFY(length(moved) < 1e-15);
 }
 
-QTEST_APPLESS_MAIN(tst_StrainLimit)
+TOILE_TEST(tst_StrainLimit)
 #include "tst_StrainLimit.moc"

@@ -3,7 +3,8 @@
 #include "core/dynamics/RungeKutta4.h"
 #include "core/dynamics/SubcycledEuler.h"
 #include "core/dynamics/SymplecticEuler.h"
-#include "tests/cloth/Fixtures.h"
+#include "tests/Suite.h"
+#include "tests/dynamics/Specimen.h"
 
 #include <QTest>
 
@@ -15,16 +16,9 @@ using dynamics::SubcycledEuler;
 
 namespace {
 
-const Vec3 gravity{0, -9.81, 0};
-
-struct Cloth {
-    ClothModel model;
-    ParticleState state;
-};
-
 /// A horizontal sheet pinned at two corners.
-Cloth sheet(const Patch& patch) {
-    Cloth c;
+Specimen cornerHeldSheet(const Patch& patch) {
+    Specimen c;
     if (auto report = cloth::appendPatch(c.model, patch, wovenFabric()); !report)
         qFatal("%s", toString(report.error()).c_str());
     c.model.pinned = {0, 4};
@@ -33,18 +27,13 @@ Cloth sheet(const Patch& patch) {
     return c;
 }
 
-Cloth evenSheet() {
-    return sheet(gridPatch(evenLines(0.2, 4), evenLines(0.2, 4)));
+Specimen evenSheet() {
+    return cornerHeldSheet(gridPatch(evenLines(0.2, 4), evenLines(0.2, 4)));
 }
 
 /// Half of it four times as fine.
-Cloth regionSheet() {
-    return sheet(twoRegionPatch(0.2, 4, 0.1, 2, 0.2, 8, 4));
-}
-
-void run(Integrator& integrator, ParticleState& state, int steps, double h) {
-    for (int i = 0; i < steps; ++i)
-        if (const auto done = integrator.step(state, h, gravity); !done) qFatal("%s", toString(done.error()).c_str());
+Specimen regionSheet() {
+    return cornerHeldSheet(twoRegionPatch(0.2, 4, 0.1, 2, 0.2, 8, 4));
 }
 
 double largestDistance(const ParticleState& a, const ParticleState& b) {
@@ -67,7 +56,7 @@ class tst_SubcycledEuler : public QObject {
 
 private slots:
     void onOneLevelItIsSymplecticEuler() {
-        Cloth c = evenSheet();
+        Specimen c = evenSheet();
         ParticleState whole = c.state;
         SubcycledEuler own(c.model, {.damping = 0.5, .levels = 1});
         dynamics::SymplecticEuler euler(c.model, {.damping = 0.5});
@@ -77,7 +66,7 @@ private slots:
     }
 
     void coarseElementsPushLessOften() {
-        Cloth c = regionSheet();
+        Specimen c = regionSheet();
         SubcycledEuler integrator(c.model);
         const auto report = integrator.step(c.state, 1.0 / 60, gravity);
         QVERIFY(report);
@@ -89,7 +78,7 @@ private slots:
 
     /// Against steps that are fine everywhere, and against the truth: first order in the step.
     void itsErrorIsThatOfFineStepsEverywhere() {
-        Cloth start = regionSheet();
+        Specimen start = regionSheet();
         ParticleState truth = start.state, fine = start.state, own = start.state, finer = start.state;
         dynamics::RungeKutta4 rk4(start.model, {.safety = 0.3});
         dynamics::SymplecticEuler euler(start.model);
@@ -105,7 +94,7 @@ private slots:
     }
 
     void aStepOfItsOwnLengthIsOnePart() {
-        Cloth c = evenSheet();
+        Specimen c = evenSheet();
         SubcycledEuler integrator(c.model);
         const auto report = integrator.step(c.state, 0.5 * integrator.stepLimit(), gravity);
         QVERIFY(report);
@@ -113,7 +102,7 @@ private slots:
     }
 
     void itKeepsEnergyOverThousandsOfSteps() {
-        Cloth c = regionSheet();
+        Specimen c = regionSheet();
         shake(c.state.velocities, 0.02);
         SubcycledEuler integrator(c.model);
         const auto energyNow = [&] {
@@ -139,5 +128,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_SubcycledEuler)
+TOILE_TEST(tst_SubcycledEuler)
 #include "tst_SubcycledEuler.moc"

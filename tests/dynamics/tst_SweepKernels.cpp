@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/FactorKernels.h"
 #include "core/dynamics/XpbdSweep.h"
+#include "tests/Suite.h"
 #include "tests/cloth/Fixtures.h"
 
 #include <QTest>
@@ -13,17 +14,17 @@ using dynamics::XpbdSweep;
 
 namespace {
 
-constexpr double h = 1.0 / 2400; ///< [s]
+constexpr double substep = 1.0 / 2400; ///< [s]
 
-struct Cloth {
+struct ShakenCloth {
     ClothModel model;
     std::vector<Vec3> positions;
 };
 
-Cloth shaken(const QString& kind) {
+ShakenCloth shaken(const QString& kind) {
     const auto lines = evenLines(0.1, 6);
     const Patch patch = kind.endsWith("triangles") ? trianglePatch(lines, lines) : gridPatch(lines, lines);
-    Cloth cloth;
+    ShakenCloth cloth;
     if (!cloth::appendPatch(cloth.model, patch, kind.startsWith("knit") ? knitFabric() : wovenFabric()))
         qFatal("a patch is a cloth");
     if (kind == "hinges")
@@ -38,7 +39,7 @@ Cloth shaken(const QString& kind) {
 std::vector<Vec3> swept(const ClothModel& model, std::vector<Vec3> positions, const SweepKernels& kernels) {
     const Eliminated eliminated(model);
     const std::vector<double> inverseMass = eliminated.inverseMass();
-    XpbdSweep sweep(model, eliminated, inverseMass, h, 1, kernels);
+    XpbdSweep sweep(model, eliminated, inverseMass, substep, 1, kernels);
     sweep.apply(positions);
     return positions;
 }
@@ -46,7 +47,7 @@ std::vector<Vec3> swept(const ClothModel& model, std::vector<Vec3> positions, co
 /// The same element with its first corner on a slave, which lies on a new particle as heavy as the corner was and in
 /// its place: the element takes the way of those that touch joints, and must move its corners by the same.
 template <class Element, class Corner>
-void isMovedAsBesideAJoint(const Cloth& cloth, std::vector<Element> ClothModel::*elements, Corner firstCorner,
+void isMovedAsBesideAJoint(const ShakenCloth& cloth, std::vector<Element> ClothModel::*elements, Corner firstCorner,
                            double tolerance) {
     QVERIFY(!(cloth.model.*elements).empty());
     for (Element element : cloth.model.*elements) {
@@ -91,7 +92,7 @@ private slots:
         QFETCH(QString, kind);
         const SweepKernels* fast = dynamics::avx2Kernels();
         if (!fast) return; // there is one kind here
-        const Cloth cloth = shaken(kind);
+        const ShakenCloth cloth = shaken(kind);
         const auto plain = swept(cloth.model, cloth.positions, dynamics::plainKernels());
         QVERIFY(plain != cloth.positions);
         QCOMPARE(swept(cloth.model, cloth.positions, *fast), plain);
@@ -130,7 +131,7 @@ private slots:
     /// The share of springs and stencils is rounded to 6e-8 of itself, and with it a move of some millimetres.
     void elementsMoveAsBesideAJoint() {
         constexpr double single = 5e-10, full = 1e-13; // [m]
-        const Cloth woven = shaken("springs"), triangles = shaken("triangles"), knit = shaken("knit cells");
+        const ShakenCloth woven = shaken("springs"), triangles = shaken("triangles"), knit = shaken("knit cells");
         const auto a = [](auto& element) -> int& { return element.a; };
         const auto first = [](auto& element) -> int& { return element.particles[0]; };
         isMovedAsBesideAJoint(woven, &ClothModel::structural, a, single);
@@ -144,7 +145,7 @@ private slots:
 
     void momentumStays() {
         for (const char* kind : {"springs", "triangles", "knit triangles", "knit cells", "hinges"}) {
-            Cloth cloth = shaken(kind);
+            ShakenCloth cloth = shaken(kind);
             cloth.model.pinned.clear();
             const auto after = swept(cloth.model, cloth.positions, dynamics::fastestKernels());
             Vec3 sum;
@@ -170,5 +171,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_SweepKernels)
+TOILE_TEST(tst_SweepKernels)
 #include "tst_SweepKernels.moc"

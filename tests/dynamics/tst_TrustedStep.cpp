@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/TrustedStep.h"
+#include "tests/Suite.h"
 
 #include "core/dynamics/BlockCholesky.h"
 
@@ -144,5 +145,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_TrustedStep)
+TOILE_TEST(tst_TrustedStep)
 #include "tst_TrustedStep.moc"

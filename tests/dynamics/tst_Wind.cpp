@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/Wind.h"
+#include "tests/Suite.h"
 
 #include "core/dynamics/Energy.h"
 #include "core/dynamics/Method.h"
@@ -16,21 +17,21 @@ namespace {
 
 constexpr double side = 0.2, drag = 1.2, density = 1.2; // of a sheet [m]; what WindSettings says
 
-struct Sheet {
+struct WindySheet {
     Patch patch;
     ClothModel model;
     ParticleState state;
 };
 
 /// Right side up, of woven cloth.
-Sheet levelSheet(const Patch& patch = gridPatch(evenLines(side, 5), evenLines(side, 5))) {
-    Sheet s{patch, modelOf(patch, wovenFabric()), {}};
+WindySheet levelSheet(const Patch& patch = gridPatch(evenLines(side, 5), evenLines(side, 5))) {
+    WindySheet s{patch, modelOf(patch, wovenFabric()), {}};
     for (const Vec2& m : patch.material) s.state.positions.push_back({m.x, 0, -m.y});
     s.state.velocities.resize(s.state.positions.size());
     return s;
 }
 
-Wind windOn(const Sheet& s, const Vec3& velocity) {
+Wind windOn(const WindySheet& s, const Vec3& velocity) {
     return {s.model, facesOf(s.patch, wovenFabric().arealDensity), {.velocity = velocity}};
 }
 
@@ -40,12 +41,11 @@ void forEveryMethod() {
         QTest::newRow(std::string(dynamics::nameOf(method)).c_str()) << method;
 }
 
-double kineticOf(const Sheet& s) {
+double kineticOf(const WindySheet& s) {
     return energies(s.model, s.state, {}).kinetic;
 }
 
 } // namespace
-Q_DECLARE_METATYPE(Method)
 
 class tst_Wind : public QObject {
     Q_OBJECT
@@ -65,7 +65,7 @@ private slots:
         QFETCH(double, upwards);
         for (const Patch& patch : {gridPatch(evenLines(side, 5), evenLines(side, 3)),
                                    trianglePatch(evenLines(side, 5), evenLines(side, 3))}) {
-            const Sheet s = levelSheet(patch);
+            const WindySheet s = levelSheet(patch);
             Wind stage = windOn(s, wind);
             stage.take({});
             stage.fixFriction(s.state.positions);
@@ -79,7 +79,7 @@ private slots:
     /// when gravity has had its part of the step: it ends short of v by g·h, h = 1/60 s over the parts.
     void aFallingSheetReachesItsTerminalVelocity() {
         QFETCH(Method, method);
-        Sheet s = levelSheet();
+        WindySheet s = levelSheet();
         Wind wind = windOn(s, {});
         dynamics::Stage* stages[] = {&wind};
         const auto integrator = makeIntegrator(method, s.model, {.damping = 0, .tolerance = 1e-8});
@@ -99,7 +99,7 @@ private slots:
     /// u = u₀/(1 + k·u₀·t/m): a free sheet is blown up to the wind's speed, never beyond.
     void windCarriesItAlong() {
         QFETCH(Method, method);
-        Sheet s = levelSheet();
+        WindySheet s = levelSheet();
         constexpr double speed = 6;
         Wind wind = windOn(s, {0, speed, 0});
         dynamics::Stage* stages[] = {&wind};
@@ -126,7 +126,7 @@ private slots:
     void stillAirOnlyTakesEnergy() {
         QFETCH(Method, method);
         QFETCH(double, speed);
-        Sheet s = levelSheet();
+        WindySheet s = levelSheet();
         ClothModel dust;
         dust.mass = s.model.mass;
         s.model = dust;
@@ -149,7 +149,7 @@ private slots:
     /// The momentum of a first short step is the force on the whole sheet, whoever bears it.
     void slavesHandTheirShareOn() {
         QFETCH(Method, method);
-        Sheet s = levelSheet(twoRegionPatch(0.1, 2, 0.1, 2, side, 4));
+        WindySheet s = levelSheet(twoRegionPatch(0.1, 2, 0.1, 2, side, 4));
         QVERIFY(!s.model.slaves.empty());
         Wind wind = windOn(s, {0, 5, 0});
         dynamics::Stage* stages[] = {&wind};
@@ -168,7 +168,7 @@ private slots:
     }
     void forcesAreWhatDifferencesSay() {
         QFETCH(bool, linear);
-        Sheet s = levelSheet(gridPatch(evenLines(side, 2), evenLines(side, 2)));
+        WindySheet s = levelSheet(gridPatch(evenLines(side, 2), evenLines(side, 2)));
         shake(s.state.positions, 0.02);
         const std::vector<Vec3> from = s.state.positions;
         shake(s.state.positions, 0.02, 3);
@@ -184,7 +184,7 @@ private slots:
     /// A sheet that hangs by its upper edge in a light wind: statics and time find the same place, as far as a force of
     /// 2e-3 of its weight moves it, which statics leaves.
     void staticsFindsWhereASheetComesToRest() {
-        Sheet s = levelSheet();
+        WindySheet s = levelSheet();
         for (int i = 0; i < 6; ++i) s.model.pinned.push_back(i);
         for (Vec3& x : s.state.positions) x = {x.x, x.z, 0};
         ParticleState swung = s.state;
@@ -201,5 +201,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Wind)
+TOILE_TEST(tst_Wind)
 #include "tst_Wind.moc"

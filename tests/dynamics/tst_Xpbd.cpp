@@ -3,7 +3,8 @@
 #include "core/dynamics/Statics.h"
 #include "core/dynamics/SymplecticEuler.h"
 #include "core/dynamics/Xpbd.h"
-#include "tests/cloth/Fixtures.h"
+#include "tests/Suite.h"
+#include "tests/dynamics/Specimen.h"
 
 #include <QTest>
 #include <limits>
@@ -14,15 +15,8 @@ using dynamics::ParticleState;
 
 namespace {
 
-const Vec3 gravity{0, -9.81, 0};
-
-struct Cloth {
-    ClothModel model;
-    ParticleState state;
-};
-
-Cloth horizontal(const Patch& patch, const Fabric& fabric, std::vector<int> pinned) {
-    Cloth c;
+Specimen horizontal(const Patch& patch, const Fabric& fabric, std::vector<int> pinned) {
+    Specimen c;
     if (auto report = cloth::appendPatch(c.model, patch, fabric); !report)
         qFatal("%s", toString(report.error()).c_str());
     c.model.pinned = std::move(pinned);
@@ -63,7 +57,7 @@ class tst_Xpbd : public QObject {
 
 private slots:
     void pinnedParticlesStay() {
-        Cloth c = horizontal(square(6), wovenFabric(), {0, 6});
+        Specimen c = horizontal(square(6), wovenFabric(), {0, 6});
         const auto before = c.state.positions;
         dynamics::Xpbd xpbd(c.model, {});
         for (int i = 0; i < 30; ++i) QVERIFY(xpbd.step(c.state, 1.0 / 60, 10, gravity, {}));
@@ -74,7 +68,7 @@ private slots:
     }
 
     void aStoppedStepLeavesTheStateAsItWas() {
-        Cloth c = horizontal(square(6), wovenFabric(), {0, 6});
+        Specimen c = horizontal(square(6), wovenFabric(), {0, 6});
         /// Asks for a stop in the third substep.
         struct Stopping : Hand {
             std::stop_source source;
@@ -96,7 +90,7 @@ private slots:
     void theSameStartGivesTheSameBits() {
         std::array<std::vector<Vec3>, 2> ends;
         for (auto& end : ends) {
-            Cloth c = horizontal(twoRegionPatch(0.1, 4, 0.05, 2, 0.1, 4), knitFabric(), {0, 4});
+            Specimen c = horizontal(twoRegionPatch(0.1, 4, 0.05, 2, 0.1, 4), knitFabric(), {0, 4});
             dynamics::Xpbd xpbd(c.model, {});
             for (int i = 0; i < 20; ++i) QVERIFY(xpbd.step(c.state, 1.0 / 60, 8, gravity, {}));
             end = c.state.positions;
@@ -121,7 +115,7 @@ private slots:
         std::vector<int> pinned;
         for (int n = 0; n < static_cast<int>(patch.material.size()); ++n)
             if (patch.material[n].y < 0.026) pinned.push_back(n); // the first two rows
-        Cloth c = horizontal(patch, fabric, pinned);
+        Specimen c = horizontal(patch, fabric, pinned);
         if (kind == "hinges") {
             c.model.bending.clear();
             for (int i = 0; i < 5; ++i) // across the rows, as after a merge
@@ -148,7 +142,7 @@ private slots:
     }
 
     void slavesStayOnTheirMasters() {
-        Cloth c = horizontal(twoRegionPatch(0.1, 4, 0.05, 2, 0.1, 4), wovenFabric(), {0, 4});
+        Specimen c = horizontal(twoRegionPatch(0.1, 4, 0.05, 2, 0.1, 4), wovenFabric(), {0, 4});
         dynamics::Xpbd xpbd(c.model, {});
         for (int i = 0; i < 20; ++i) QVERIFY(xpbd.step(c.state, 1.0 / 60, 10, gravity, {}));
         for (const auto& slave : c.model.slaves) {
@@ -159,7 +153,7 @@ private slots:
     }
 
     void aStageThatMovesASlaveMovesItsMasters() {
-        Cloth c = horizontal(twoRegionPatch(0.1, 4, 0.05, 2, 0.1, 4), wovenFabric(), {});
+        Specimen c = horizontal(twoRegionPatch(0.1, 4, 0.05, 2, 0.1, 4), wovenFabric(), {});
         Hand hand;
         hand.particle = c.model.slaves[1].particle;
         hand.place = c.state.positions[hand.particle] + Vec3{0, 0.004, 0};
@@ -171,7 +165,7 @@ private slots:
     }
 
     void staticsFollowTheForcesOfAStage() {
-        Cloth c = horizontal(square(4), wovenFabric(), {0, 4});
+        Specimen c = horizontal(square(4), wovenFabric(), {0, 4});
         Hand hand;
         hand.particle = 22;
         hand.place = {0.1, 0.05, 0.2};
@@ -186,7 +180,7 @@ private slots:
         stiff.warpStiffness = stiff.weftStiffness = 5e7;
         stiff.shearStiffness = 5e6;
         for (int substeps : {10, 40, 160}) {
-            Cloth c = horizontal(square(8), stiff, {0, 8});
+            Specimen c = horizontal(square(8), stiff, {0, 8});
             dynamics::Xpbd xpbd(c.model, {.damping = 0});
             dynamics::EnergyMonitor monitor;
             for (int i = 0; i < 40; ++i) {
@@ -208,7 +202,7 @@ private slots:
     }
 
     void aStateThatIsNoNumberIsReportedAndTakenBack() {
-        Cloth c = horizontal(square(4), wovenFabric(), {});
+        Specimen c = horizontal(square(4), wovenFabric(), {});
         Hand hand;
         hand.particle = 7;
         hand.place = {std::numeric_limits<double>::quiet_NaN(), 0, 0};
@@ -222,7 +216,7 @@ private slots:
     }
 
     void particlesWithoutMassAreNamed() {
-        Cloth c = horizontal(square(4), wovenFabric(), {});
+        Specimen c = horizontal(square(4), wovenFabric(), {});
         c.model.mass[3] = 0;
         const auto done = dynamics::Xpbd(c.model, {}).step(c.state, 1.0 / 60, 2, gravity, {});
         QVERIFY(!done && done.error().text == "Particle 3 has no mass.");
@@ -244,14 +238,14 @@ private slots:
     void substepsGrowWithTheLine() {
         QCOMPARE(dynamics::substepsFor(1.0 / 60, 32, 9.81), 47); // 1.4·(1/60)·32·√(1.6·9.81/0.004) = 46.8
         QCOMPARE(dynamics::substepsFor(1.0 / 60, 32, 0), 1);
-        const Cloth hung = horizontal(square(6), wovenFabric(), {0, 1, 2, 3, 4, 5, 6});
+        const Specimen hung = horizontal(square(6), wovenFabric(), {0, 1, 2, 3, 4, 5, 6});
         QCOMPARE(dynamics::springsOnLongestLine(hung.model), 6);
-        const Cloth lying = horizontal(square(6), wovenFabric(), {});
+        const Specimen lying = horizontal(square(6), wovenFabric(), {});
         QCOMPARE(dynamics::springsOnLongestLine(lying.model), 6); // corner to corner is 12
     }
 
     void explicitStepsBeyondTheLimitAreRefusedOrDivided() {
-        Cloth c = horizontal(square(6), wovenFabric(), {0, 6});
+        Specimen c = horizontal(square(6), wovenFabric(), {0, 6});
         dynamics::SymplecticEuler strict(c.model, {.automaticSubsteps = false});
         const auto refused = strict.step(c.state, 1.0 / 60, gravity);
         QVERIFY(!refused && refused.error().text.find("limit") != std::string::npos);
@@ -262,7 +256,7 @@ private slots:
     }
 
     void statesThatStopAreCancelled() {
-        Cloth c = horizontal(square(6), wovenFabric(), {0, 6});
+        Specimen c = horizontal(square(6), wovenFabric(), {0, 6});
         std::stop_source source;
         source.request_stop();
         const auto before = c.state.positions;
@@ -272,7 +266,7 @@ private slots:
     }
 
     void anUnreachedToleranceIsSaidHonestly() {
-        Cloth c = horizontal(square(8), wovenFabric(), {0, 8});
+        Specimen c = horizontal(square(8), wovenFabric(), {0, 8});
         const auto report = dynamics::solveStatic(c.model, c.state, gravity, {}, {.maximumIterations = 3});
         QVERIFY(report);
         QVERIFY(!report->newton.converged);
@@ -281,12 +275,12 @@ private slots:
     }
 
     void nothingHeldIsFoundOut() {
-        Cloth c = horizontal(square(3), wovenFabric(), {});
+        Specimen c = horizontal(square(3), wovenFabric(), {});
         const auto report = dynamics::solveStatic(c.model, c.state, gravity, {}, {.maximumIterations = 20});
         QVERIFY(!report || !report->newton.converged); // it falls for ever
         for (const Vec3& x : c.state.positions) QVERIFY(isFinite(x));
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Xpbd)
+TOILE_TEST(tst_Xpbd)
 #include "tst_Xpbd.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/Curve.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <numbers>
@@ -192,5 +193,5 @@ void tst_Curve::anEnormousCurveIsFlattenedInFiniteTime() {
     QVERIFY(flattened({{0, 0}, {1e300, 0}, CubicShape{{0, 1e300}, {1, 1}}}, 1e-6).size() <= 1'000'001);
 }
 
-QTEST_APPLESS_MAIN(tst_Curve)
+TOILE_TEST(tst_Curve)
 #include "tst_Curve.moc"

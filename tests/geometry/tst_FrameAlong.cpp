@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/FrameAlong.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <cmath>
@@ -87,5 +88,5 @@ void tst_FrameAlong::roundedACornerKeepsAwayFromItsTip() {
     QVERIFY(distance(line.front(), corner.front()) < 1e-12);
 }
 
-QTEST_APPLESS_MAIN(tst_FrameAlong)
+TOILE_TEST(tst_FrameAlong)
 #include "tst_FrameAlong.moc"

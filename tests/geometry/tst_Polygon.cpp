@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/Polygon.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -53,5 +54,5 @@ void tst_Polygon::theBoxHoldsAllPoints() {
     QCOMPARE(box.high, (Vec2{2, 1}));
 }
 
-QTEST_APPLESS_MAIN(tst_Polygon)
+TOILE_TEST(tst_Polygon)
 #include "tst_Polygon.moc"

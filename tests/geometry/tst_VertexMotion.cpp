@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/VertexMotion.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -70,5 +71,5 @@ void tst_VertexMotion::whatNoBodyCanDoIsRefused() {
     QVERIFY2(QString::fromStdString(checked.error().text).contains(says), checked.error().text.c_str());
 }
 
-QTEST_APPLESS_MAIN(tst_VertexMotion)
+TOILE_TEST(tst_VertexMotion)
 #include "tst_VertexMotion.moc"

@@ -4,6 +4,7 @@
 #include "core/io/BodyGlb.h"
 #include "core/io/BodyImport.h"
 #include "core/io/ChildProcess.h"
+#include "tests/Suite.h"
 #include "tests/collision/Shapes.h"
 
 #include <QTemporaryDir>
@@ -403,5 +404,5 @@ void tst_BodyImport::bodiesOfTheTestDataAreRead() {
     QVERIFY(read > 0);
 }
 
-QTEST_APPLESS_MAIN(tst_BodyImport)
+TOILE_TEST(tst_BodyImport)
 #include "tst_BodyImport.moc"

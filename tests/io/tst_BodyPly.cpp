@@ -3,6 +3,7 @@
 #include "core/base/Contracts.h"
 #include "core/io/BodyImport.h"
 #include "core/io/PlyReader.h"
+#include "tests/Suite.h"
 #include "tests/collision/Shapes.h"
 
 #include <QTemporaryDir>
@@ -150,5 +151,5 @@ void tst_BodyPly::aPlyBodyIsImported() {
     QVERIFY(!io::readBodyMesh(path));
 }
 
-QTEST_APPLESS_MAIN(tst_BodyPly)
+TOILE_TEST(tst_BodyPly)
 #include "tst_BodyPly.moc"

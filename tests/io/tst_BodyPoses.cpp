@@ -3,6 +3,7 @@
 #include "core/body/Mannequin.h"
 #include "core/io/BodyImport.h"
 #include "core/io/BodyPoses.h"
+#include "tests/Suite.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -91,5 +92,5 @@ void tst_BodyPoses::whatIsNoMotionOfThisBodyIsRefused() {
     QVERIFY(!io::readBodyPoses("no/such/folder", body_, 0.1));
 }
 
-QTEST_APPLESS_MAIN(tst_BodyPoses)
+TOILE_TEST(tst_BodyPoses)
 #include "tst_BodyPoses.moc"

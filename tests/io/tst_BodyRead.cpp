@@ -2,6 +2,7 @@
 #include "core/base/AtomicFile.h"
 #include "core/body/Mannequin.h"
 #include "core/io/BodyImport.h"
+#include "tests/Suite.h"
 #include "tests/collision/Shapes.h"
 
 #include <QTemporaryDir>
@@ -86,5 +87,5 @@ void tst_BodyRead::foreignBodiesGetTheirLandmarks() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_BodyRead)
+TOILE_TEST(tst_BodyRead)
 #include "tst_BodyRead.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/DocumentFile.h"
+#include "tests/Suite.h"
 
 #include "core/io/ToileFile.h"
 
@@ -222,5 +223,5 @@ void tst_CheckFile::aLineIsFoundByItsPath() {
     QCOMPARE(io::lineOf(*json, ""), 1);
 }
 
-QTEST_APPLESS_MAIN(tst_CheckFile)
+TOILE_TEST(tst_CheckFile)
 #include "tst_CheckFile.moc"

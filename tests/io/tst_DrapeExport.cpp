@@ -5,6 +5,7 @@
 #include "core/io/DrapeFaces.h"
 #include "core/io/GlbFile.h"
 #include "core/io/PlyReader.h"
+#include "tests/Suite.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -169,5 +170,5 @@ void tst_DrapeExport::anOldFileStaysWhenTheNewOneIsRefused() {
     QVERIFY(*readRegularFile(path, 1 << 20) == before);
 }
 
-QTEST_APPLESS_MAIN(tst_DrapeExport)
+TOILE_TEST(tst_DrapeExport)
 #include "tst_DrapeExport.moc"

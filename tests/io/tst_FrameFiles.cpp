@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/FrameFiles.h"
+#include "tests/Suite.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -127,5 +128,5 @@ void tst_FrameFiles::whatCannotBeWrittenIsSaid() {
     QVERIFY2(QString::fromStdString(files.error().text).contains(said), files.error().text.c_str());
 }
 
-QTEST_APPLESS_MAIN(tst_FrameFiles)
+TOILE_TEST(tst_FrameFiles)
 #include "tst_FrameFiles.moc"

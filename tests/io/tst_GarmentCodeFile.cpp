@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/GarmentCodeFile.h"
+#include "tests/Suite.h"
 
 #include "core/pattern/PatternCheck.h"
 #include "core/pattern/PatternMeasures.h"
@@ -252,5 +253,5 @@ void tst_GarmentCodeFile::realFilesAreRead() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_GarmentCodeFile)
+TOILE_TEST(tst_GarmentCodeFile)
 #include "tst_GarmentCodeFile.moc"

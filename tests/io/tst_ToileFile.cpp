@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/ToileFile.h"
+#include "tests/Suite.h"
 
 #include "tests/io/SampleDocument.h"
 
@@ -184,5 +185,5 @@ void tst_ToileFile::aMissingFileIsAnError() {
     QCOMPARE(document.error().code, ErrorCode::notFound);
 }
 
-QTEST_APPLESS_MAIN(tst_ToileFile)
+TOILE_TEST(tst_ToileFile)
 #include "tst_ToileFile.moc"

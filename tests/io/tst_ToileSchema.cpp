@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/ToileFile.h"
+#include "tests/Suite.h"
 
 #include "tests/io/SampleDocument.h"
 
@@ -110,5 +111,5 @@ void tst_ToileSchema::everyRequiredKeyIsAskedFor() {
     QVERIFY(document.error().text.find("\"" + key.toStdString() + "\" is missing") != std::string::npos);
 }
 
-QTEST_APPLESS_MAIN(tst_ToileSchema)
+TOILE_TEST(tst_ToileSchema)
 #include "tst_ToileSchema.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/material/Fabric.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <numbers>
@@ -97,5 +98,5 @@ void tst_Fabric::tensionCurvesMustRise() {
     QCOMPARE(checked(fabric).error().place.path, std::string("weftTension"));
 }
 
-QTEST_APPLESS_MAIN(tst_Fabric)
+TOILE_TEST(tst_Fabric)
 #include "tst_Fabric.moc"

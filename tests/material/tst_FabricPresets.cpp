@@ -2,6 +2,7 @@
 #include <QTest> // first: moc 6.4 stumbles over <compare> as the first header
 
 #include "core/material/FabricPresets.h"
+#include "tests/Suite.h"
 
 #include <set>
 
@@ -74,5 +75,5 @@ void tst_FabricPresets::wovensAreWithinTheReachOfSpringCells() {
                  fabric.name.c_str());
 }
 
-QTEST_APPLESS_MAIN(tst_FabricPresets)
+TOILE_TEST(tst_FabricPresets)
 #include "tst_FabricPresets.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/material/Interfacing.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <cmath>
@@ -60,5 +61,5 @@ void tst_Interfacing::aWrongNumberIsNamed() {
     QVERIFY(QString::fromStdString(ok.error().text).contains(path));
 }
 
-QTEST_APPLESS_MAIN(tst_Interfacing)
+TOILE_TEST(tst_Interfacing)
 #include "tst_Interfacing.moc"

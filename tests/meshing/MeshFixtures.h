@@ -30,6 +30,15 @@ inline PieceInput rectanglePiece(double width, double height, double spacing, st
     return polygonPiece({{0, 0}, {width, 0}, {width, height}, {0, height}}, spacing, std::move(label));
 }
 
+inline geometry::Polygon box(double x0, double y0, double x1, double y1) {
+    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+
+inline SeamInput seamOf(std::vector<SeamPartInput> a, std::vector<SeamPartInput> b,
+                        std::vector<SeamSectionInput> sections = {}) {
+    return {"seam", {std::move(a), std::move(b)}, std::move(sections)};
+}
+
 /// A full circle of two half-circle arcs; clockwise = a hole.
 inline BoundaryLoop circleLoop(Vec2 centre, double radius, bool clockwise = false) {
     const Vec2 left = centre - Vec2{radius, 0}, right = centre + Vec2{radius, 0};

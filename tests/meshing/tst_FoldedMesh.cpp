@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/GarmentMesher.h"
+#include "tests/Suite.h"
 #include "tests/meshing/MeshReferee.h"
 
 #include <QTest>
@@ -166,5 +167,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_FoldedMesh)
+TOILE_TEST(tst_FoldedMesh, QCoreApplication)
 #include "tst_FoldedMesh.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/GarmentMesher.h"
+#include "tests/Suite.h"
 #include "tests/meshing/RandomMeshInput.h"
 
 #include <QTest>
@@ -18,7 +19,6 @@ private slots:
 };
 
 using Edit = void (*)(MeshInput&);
-Q_DECLARE_METATYPE(Edit)
 
 namespace {
 
@@ -152,5 +152,5 @@ void tst_GarmentMesher::randomEditsGiveTheMeshFromScratch() {
     QVERIFY(kept > 100);
 }
 
-QTEST_APPLESS_MAIN(tst_GarmentMesher)
+TOILE_TEST(tst_GarmentMesher)
 #include "tst_GarmentMesher.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/meshing/MeshReferee.h"
 
 #include <QTest>
@@ -35,8 +36,6 @@ private slots:
     void aSlitOfThreeUnitsIsRefusedWithItsPlace();
     void seamsThatWalkTheirPointsForEver();
 };
-
-Q_DECLARE_METATYPE(toile::meshing::PieceInput)
 
 namespace {
 
@@ -96,7 +95,7 @@ PieceInput digitised(int points) {
     return polygonPiece(corners, 0.02, "Digitised");
 }
 
-SeamInput seamOf(std::vector<SeamPartInput> a, std::vector<SeamPartInput> b) {
+SeamInput sideSeam(std::vector<SeamPartInput> a, std::vector<SeamPartInput> b) {
     return {"side seam", {std::move(a), std::move(b)}, {}};
 }
 
@@ -345,9 +344,9 @@ void tst_HardInputs::aDigitisedOutlineOfManyPoints() {
 
 void tst_HardInputs::seamOfAnEdgeWithItself() {
     MeshInput input{{rectanglePiece(0.2, 0.2, 0.02)}, {}};
-    input.seams = {seamOf({{0, 0, 1}}, {{0, 0, 1, 0, 1, true}})};
+    input.seams = {sideSeam({{0, 0, 1}}, {{0, 0, 1, 0, 1, true}})};
     compareError(meshGarment(input), "seam \"side seam\"", "edge \"e1\" twice");
-    input.seams = {seamOf({{0, 0, 1, 0, 0.5}}, {{0, 0, 1, 0.5, 1, true}})}; // folded at its middle: a dart of angle π
+    input.seams = {sideSeam({{0, 0, 1, 0, 0.5}}, {{0, 0, 1, 0.5, 1, true}})}; // folded at its middle: a dart of angle π
     const auto folded = meshGarment(input);
     QVERIFY(folded);
     QVERIFY(folded->seams[0].pairs.back()[0] == folded->seams[0].pairs.back()[1]);
@@ -356,21 +355,21 @@ void tst_HardInputs::seamOfAnEdgeWithItself() {
 void tst_HardInputs::seamWithAnEdgeOfNoLength() {
     MeshInput input{
         {polygonPiece({{0, 0}, {0.2, 0}, {0.2, 0}, {0.2, 0.2}, {0, 0.2}}, 0.02), rectanglePiece(0.2, 0.2, 0.02)}, {}};
-    input.seams = {seamOf({{0, 0, 1}}, {{1, 0, 3}})};
+    input.seams = {sideSeam({{0, 0, 1}}, {{1, 0, 3}})};
     compareError(meshGarment(input), "seam \"side seam\"", "edge \"e1\", which has no length");
 }
 
 void tst_HardInputs::seamChainTurnedTheWrongWay() {
     MeshInput input{{rectanglePiece(0.2, 0.2, 0.02), rectanglePiece(0.4, 0.2, 0.02)}, {}};
-    input.seams = {seamOf({{0, 0, 0}, {0, 0, 1, 0, 1, true}}, {{1, 0, 0}})};
+    input.seams = {sideSeam({{0, 0, 0}, {0, 0, 1, 0, 1, true}}, {{1, 0, 0}})};
     compareError(meshGarment(input), "seam \"side seam\"", "wrong direction");
-    input.seams = {seamOf({{0, 0, 0}, {0, 0, 1}}, {{1, 0, 0}})};
+    input.seams = {sideSeam({{0, 0, 0}, {0, 0, 1}}, {{1, 0, 0}})};
     QVERIFY(meshGarment(input));
-    input.seams = {seamOf({{0, 0, 7}}, {{1, 0, 0}})};
+    input.seams = {sideSeam({{0, 0, 7}}, {{1, 0, 0}})};
     compareError(meshGarment(input), "seam \"side seam\"", "does not have");
-    input.seams = {seamOf({{5, 0, 0}}, {{1, 0, 0}})};
+    input.seams = {sideSeam({{5, 0, 0}}, {{1, 0, 0}})};
     compareError(meshGarment(input), "seam \"side seam\"", "does not exist");
-    input.seams = {seamOf({{0, 0, 0, 0.5, 0.2}}, {{1, 0, 0}})};
+    input.seams = {sideSeam({{0, 0, 0, 0.5, 0.2}}, {{1, 0, 0}})};
     compareError(meshGarment(input), "seam \"side seam\"", "fraction");
 }
 
@@ -380,12 +379,12 @@ void tst_HardInputs::aClosedSeamChainMustBeTurnedOneWay() {
     const std::vector<SeamPartInput> round{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, 3}};
     std::vector<SeamPartInput> back{
         {1, 0, 3, 0, 1, true}, {1, 0, 2, 0, 1, true}, {1, 0, 1, 0, 1, true}, {1, 0, 0, 0, 1, true}};
-    input.seams = {seamOf(round, back)};
+    input.seams = {sideSeam(round, back)};
     const auto closed = meshGarment(input);
     QVERIFY2(closed, closed ? "" : toString(closed.error()).c_str());
     QVERIFY(closed->seams[0].pairs.front() == closed->seams[0].pairs.back());
     back[2].reversed = false;
-    input.seams = {seamOf(round, back)};
+    input.seams = {sideSeam(round, back)};
     compareError(meshGarment(input), "seam \"side seam\"", "edge \"e1\" in the wrong direction");
 }
 
@@ -394,7 +393,7 @@ void tst_HardInputs::aDartOnABiasPieceClosesAtOneTip() {
         PieceInput piece =
             polygonPiece({{0, 0}, {0.09, 0}, {0.1, 0.12}, {0.11, 0}, {0.2, 0}, {0.2, 0.3}, {0, 0.3}}, 0.02);
         piece.grain = degrees * std::numbers::pi / 180;
-        MeshInput input{{piece}, {seamOf({{0, 0, 1}}, {{0, 0, 2, 0, 1, true}})}};
+        MeshInput input{{piece}, {sideSeam({{0, 0, 1}}, {{0, 0, 2, 0, 1, true}})}};
         const auto garment = meshGarment(input);
         QVERIFY(garment);
         QVERIFY(garment->seams[0].pairs.back()[0] == garment->seams[0].pairs.back()[1]);
@@ -424,7 +423,8 @@ void tst_HardInputs::seamsThatWalkTheirPointsForEver() {
     // Each half of an edge is sewn to the other, and the whole to a second piece shifted: points wander
     // without end.
     MeshInput input{{rectanglePiece(0.2, 1, 0.02), rectanglePiece(0.2, 1, 0.02)}, {}};
-    input.seams = {seamOf({{0, 0, 1, 0, 0.9}}, {{1, 0, 1, 0, 0.9}}), seamOf({{0, 0, 1, 0.1, 1}}, {{1, 0, 1, 0, 0.9}})};
+    input.seams = {sideSeam({{0, 0, 1, 0, 0.9}}, {{1, 0, 1, 0, 0.9}}),
+                   sideSeam({{0, 0, 1, 0.1, 1}}, {{1, 0, 1, 0, 0.9}})};
     const auto result = meshGarment(input);
     if (result) // the shift is a tenth: the points close after ten rounds
         QCOMPARE(QString::fromStdString(defectOf(result->pieces[0])), QString());
@@ -432,5 +432,5 @@ void tst_HardInputs::seamsThatWalkTheirPointsForEver() {
     compareError(meshGarment(input), "seam", "");
 }
 
-QTEST_APPLESS_MAIN(tst_HardInputs)
+TOILE_TEST(tst_HardInputs)
 #include "tst_HardInputs.moc"

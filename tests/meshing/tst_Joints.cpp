@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/Index.h"
 #include "core/meshing/DisplayElements.h"
+#include "tests/Suite.h"
 #include "tests/meshing/MeshReferee.h"
 
 #include <QTest>
@@ -27,14 +29,6 @@ private slots:
 };
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-Polygon box(double x0, double y0, double x1, double y1) {
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
 
 /// The bodice with a slanted region at 1/4 and one at its shoulder at 1/2.
 PieceInput regionBodice(double spacing) {
@@ -242,5 +236,5 @@ void tst_Joints::aMeshThatIsNotJudgedIsTheSame() {
     QCOMPARE(quick->report.total.quads, judged->report.total.quads);
 }
 
-QTEST_APPLESS_MAIN(tst_Joints)
+TOILE_TEST(tst_Joints)
 #include "tst_Joints.moc"

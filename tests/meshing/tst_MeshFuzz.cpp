@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/meshing/MeshInputJson.h"
 #include "tests/meshing/MeshReferee.h"
 #include "tests/meshing/RandomMeshInput.h"
@@ -19,6 +20,11 @@ using namespace toile::meshing;
 /// an input that fails is written beside the program and belongs into tests/meshing/corpus once it is mended.
 class tst_MeshFuzz : public QObject {
     Q_OBJECT
+public:
+    static void initMain() {
+        if (!qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT")) // 5 minutes are too short for more seeds
+            qputenv("QTEST_FUNCTION_TIMEOUT", "86400000");
+    }
 private slots:
     void initTestCase();
     void randomGarmentsMeshOrAreRefused();
@@ -172,10 +178,5 @@ void tst_MeshFuzz::inputsComeBackFromTheirText() {
     }
 }
 
-int main(int argc, char** argv) {
-    if (!qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT")) // 5 minutes are too short for more seeds
-        qputenv("QTEST_FUNCTION_TIMEOUT", "86400000");
-    tst_MeshFuzz test;
-    return QTest::qExec(&test, argc, argv);
-}
+TOILE_TEST(tst_MeshFuzz)
 #include "tst_MeshFuzz.moc"

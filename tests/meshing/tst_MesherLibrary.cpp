@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
+
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -77,5 +79,5 @@ void tst_MesherLibrary::thePageShowsTheExample() {
     QVERIFY(linesOf(QString::fromUtf8(example.readAll())).contains(linesOf(text.mid(from, to - from))));
 }
 
-QTEST_GUILESS_MAIN(tst_MesherLibrary)
+TOILE_TEST(tst_MesherLibrary, QCoreApplication)
 #include "tst_MesherLibrary.moc"

@@ -3,6 +3,7 @@
 
 #ifndef Q_MOC_RUN // moc stumbles over the library's concepts
 #include "core/meshing/MonotoneChains.h"
+#include "tests/Suite.h"
 
 #include <cmath>
 #include <random>
@@ -80,5 +81,5 @@ void tst_MonotoneChains::theyCrossWhereAnyTwoSegmentsDo() {
     QVERIFY(crossing > 400 && crossing < 1600); // both kinds
 }
 
-QTEST_APPLESS_MAIN(tst_MonotoneChains)
+TOILE_TEST(tst_MonotoneChains)
 #include "tst_MonotoneChains.moc"

@@ -4,6 +4,7 @@
 #ifndef Q_MOC_RUN // moc stumbles over the library's concepts
 #include "core/meshing/IntegerLines.h"
 #include "core/meshing/MortonWalk.h"
+#include "tests/Suite.h"
 
 #include <random>
 #endif
@@ -92,5 +93,5 @@ void tst_MortonWalk::anAxisFindsWhatASearchFinds() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_MortonWalk)
+TOILE_TEST(tst_MortonWalk)
 #include "tst_MortonWalk.moc"

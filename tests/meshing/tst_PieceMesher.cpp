@@ -4,6 +4,7 @@
 #ifndef Q_MOC_RUN // moc stumbles over the library's concepts
 #include "core/base/heap/HeapCount.h"
 #include "core/meshing/GarmentMesher.h"
+#include "tests/Suite.h"
 #include "tests/meshing/MeshFixtures.h"
 #include "tests/meshing/PreparedPiece.h"
 
@@ -191,5 +192,5 @@ void tst_PieceMesher::aSymmetricPieceGetsASymmetricMesh() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_PieceMesher)
+TOILE_TEST(tst_PieceMesher)
 #include "tst_PieceMesher.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/meshing/MeshReferee.h"
 
 #include <QTest>
@@ -19,7 +20,7 @@ private slots:
 namespace {
 
 /// A small generator of our own, so that a seed means the same everywhere.
-struct Random {
+struct CongruentialRandom {
     std::uint64_t state;
     double operator()(double low, double high) {
         state = state * 6364136223846793005ULL + 1442695040888963407ULL;
@@ -29,7 +30,7 @@ struct Random {
 };
 
 /// Star-shaped, hence simple; some sides curved gently, some notched.
-PieceInput starPiece(Random& random) {
+PieceInput starPiece(CongruentialRandom& random) {
     const int n = random.whole(3, 14);
     std::vector<Vec2> corners;
     for (int i = 0; i < n; ++i) {
@@ -56,7 +57,7 @@ PieceInput starPiece(Random& random) {
 void tst_RandomPieces::simplePiecesAlwaysMesh() {
     int meshed = 0;
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-        Random random{seed * 7919};
+        CongruentialRandom random{seed * 7919};
         const PieceInput piece = starPiece(random);
         const auto garment = meshGarment(inputOf(piece));
         if (!garment) { // the one thing that may be wrong with these: where their regions lie
@@ -74,7 +75,7 @@ void tst_RandomPieces::simplePiecesAlwaysMesh() {
 
 void tst_RandomPieces::garbageIsMeshedOrRefused() {
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-        Random random{seed * 104729};
+        CongruentialRandom random{seed * 104729};
         PieceInput piece;
         piece.label = "Garbage";
         piece.spacing = random(0.005, 0.1);
@@ -100,7 +101,7 @@ void tst_RandomPieces::garbageIsMeshedOrRefused() {
 
 void tst_RandomPieces::sewnPairsAgree() {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-        Random random{seed * 15485863};
+        CongruentialRandom random{seed * 15485863};
         PieceInput piece = starPiece(random);
         piece.regions.clear();
         PieceInput other = piece;
@@ -118,5 +119,5 @@ void tst_RandomPieces::sewnPairsAgree() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_RandomPieces)
+TOILE_TEST(tst_RandomPieces)
 #include "tst_RandomPieces.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/meshing/MeshReferee.h"
 
 #include <QTest>
@@ -29,10 +30,6 @@ private slots:
 };
 
 namespace {
-
-Polygon box(double x0, double y0, double x1, double y1) {
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
 
 RegionInput region(std::string label, Polygon outline, int refinement) {
     return {std::move(label), std::move(outline), {}, refinement};
@@ -241,5 +238,5 @@ void tst_Regions::theMirroredTwinSnapsAlike() {
     QVERIFY(!garment->pieces[0].slaves.empty());
 }
 
-QTEST_APPLESS_MAIN(tst_Regions)
+TOILE_TEST(tst_Regions)
 #include "tst_Regions.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/meshing/Streaming.h"
+#include "tests/Suite.h"
 #include "tests/meshing/MeshReferee.h"
 
 #include <QTest>
@@ -39,11 +40,6 @@ PieceInput ringPiece() {
     PieceInput piece = circlePiece(0.3, 0.02);
     piece.holes.push_back(circleLoop({0.02, 0.01}, 0.1, true));
     return piece;
-}
-
-SeamInput seamOf(std::vector<SeamPartInput> a, std::vector<SeamPartInput> b,
-                 std::vector<SeamSectionInput> sections = {}) {
-    return {"seam", {std::move(a), std::move(b)}, std::move(sections)};
 }
 
 } // namespace
@@ -230,5 +226,5 @@ void tst_RegularMesh::fixedPointsTooNearForTwoLinesLeaveAStrip() {
     QVERIFY(garment->report.total.rectangleFraction > 0.85);
 }
 
-QTEST_APPLESS_MAIN(tst_RegularMesh)
+TOILE_TEST(tst_RegularMesh)
 #include "tst_RegularMesh.moc"

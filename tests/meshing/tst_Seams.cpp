@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/meshing/MeshReferee.h"
 
 #include <QTest>
@@ -28,13 +29,6 @@ private slots:
 };
 
 namespace {
-
-SeamInput seamOf(std::vector<SeamPartInput> a, std::vector<SeamPartInput> b) {
-    SeamInput seam;
-    seam.label = "seam";
-    seam.sides = {std::move(a), std::move(b)};
-    return seam;
-}
 
 Vec2 pointOf(const GarmentMesh& garment, NodeRef ref) {
     return garment.pieces[static_cast<std::size_t>(ref.piece)].nodes[static_cast<std::size_t>(ref.node)];
@@ -240,5 +234,5 @@ void tst_Seams::theThreeConditionsOfThePaperHoldForEverySeam() {
     QVERIFY(!unlike.length && !unlike.count && !unlike.unit);
 }
 
-QTEST_APPLESS_MAIN(tst_Seams)
+TOILE_TEST(tst_Seams)
 #include "tst_Seams.moc"

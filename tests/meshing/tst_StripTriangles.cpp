@@ -2,9 +2,11 @@
 #include <QTest>
 
 #ifndef Q_MOC_RUN // moc stumbles over the library's concepts
+#include "core/base/Index.h"
 #include "core/meshing/DelaunayFlips.h"
 #include "core/meshing/FlatTriangles.h"
 #include "core/meshing/StripSweep.h"
+#include "tests/Suite.h"
 #include "tests/meshing/ConstrainedDelaunay.h"
 
 #include <algorithm>
@@ -29,10 +31,6 @@ private slots:
 };
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 struct Drawing {
     std::vector<GridPoint> points;
@@ -240,5 +238,5 @@ void tst_StripTriangles::aFlatTriangleOnTheBorderIsTurned() {
     QVERIFY(sides.start == before);
 }
 
-QTEST_APPLESS_MAIN(tst_StripTriangles)
+TOILE_TEST(tst_StripTriangles)
 #include "tst_StripTriangles.moc"

@@ -49,4 +49,13 @@ inline pattern::Pattern twoPanels() {
     return {{front, back, image}, {right, left}, {cotton}, {{PinId("n1"), PieceId("front"), VertexId("v3")}}};
 }
 
+/// The pieces of the two panels.
+inline const pattern::PieceId front("front"), back("back"), image("image");
+
+inline pattern::Pattern unsewnPanels() {
+    pattern::Pattern pattern = twoPanels();
+    pattern.seams.clear();
+    return pattern;
+}
+
 } // namespace toile::tests

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/CutLine.h"
 #include "core/pattern/PatternMeasures.h"
+#include "tests/Suite.h"
 #include "tests/pattern/TwoPanels.h"
 
 #include <QTest>
@@ -43,10 +44,10 @@ private slots:
 };
 
 // Strips overlap by 1e-6 m, which at an edge without allowance stands out beside the neighbour's 40 mm.
-constexpr double rounding = 1e-7;
+constexpr double cutRounding = 1e-7;
 
 void tst_CutLine::rightAnglesAreMitred() {
-    QVERIFY(std::abs(areaOfCut(panel()) - (0.32 * 0.42)) < rounding);
+    QVERIFY(std::abs(areaOfCut(panel()) - (0.32 * 0.42)) < cutRounding);
     const auto [low, high] = geometry::boundsOf(cutShape(panel())[0].outline);
     QVERIFY(distance(low, {-0.01, -0.01}) < 2e-8 && distance(high, {0.31, 0.41}) < 2e-8);
 }
@@ -55,13 +56,13 @@ void tst_CutLine::anEdgeOfItsOwnAllowanceMovesAlone() {
     Piece piece = panel();
     piece.outline.edges[0].seamAllowance = 0.04; // the hem
     piece.outline.edges[2].seamAllowance = 0;    // on the fold
-    QVERIFY(std::abs(areaOfCut(piece) - (0.32 * 0.44)) < rounding);
+    QVERIFY(std::abs(areaOfCut(piece) - (0.32 * 0.44)) < cutRounding);
 }
 
 void tst_CutLine::withoutAllowanceThePieceIsCutAsItIsSewn() {
     Piece piece = panel();
     piece.seamAllowance = 0;
-    QVERIFY(std::abs(areaOfCut(piece) - (0.3 * 0.4)) < rounding);
+    QVERIFY(std::abs(areaOfCut(piece) - (0.3 * 0.4)) < cutRounding);
 }
 
 void tst_CutLine::sharpTipsAreCutOff() {
@@ -81,7 +82,7 @@ void tst_CutLine::insideCornersStaySharp() {
                               {VertexId("v3"), {0.3, 0.2}},  {VertexId("v4"), {0.15, 0.2}},
                               {VertexId("v5"), {0.15, 0.4}}, {VertexId("v6"), {0, 0.4}}};
     while (piece.outline.edges.size() < 6) piece.outline.edges.push_back({EdgeId("more"), {}, {}});
-    QVERIFY(std::abs(areaOfCut(piece) - (0.32 * 0.42 - 0.15 * 0.2)) < rounding);
+    QVERIFY(std::abs(areaOfCut(piece) - (0.32 * 0.42 - 0.15 * 0.2)) < cutRounding);
 }
 
 void tst_CutLine::holesGrowSmaller() {
@@ -89,7 +90,7 @@ void tst_CutLine::holesGrowSmaller() {
     Contour hole = tests::rectangle("hole", 0.1, -0.1).outline; // mirrored: clockwise
     for (Vertex& vertex : hole.vertices) vertex.position += Vec2{0.1, 0.2};
     piece.holes = {hole};
-    QVERIFY(std::abs(areaOfCut(piece) - (0.32 * 0.42 - 0.08 * 0.08)) < rounding);
+    QVERIFY(std::abs(areaOfCut(piece) - (0.32 * 0.42 - 0.08 * 0.08)) < cutRounding);
 }
 
 void tst_CutLine::alongACurveTheCutLineIsParallel() {
@@ -104,5 +105,5 @@ void tst_CutLine::alongACurveTheCutLineIsParallel() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_CutLine)
+TOILE_TEST(tst_CutLine)
 #include "tst_CutLine.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/PatternContours.h"
+#include "tests/Suite.h"
 
 #include "core/pattern/PatternMeasures.h"
 #include "core/pattern/PatternSeams.h"
@@ -12,6 +13,8 @@
 
 using namespace toile;
 using namespace toile::pattern;
+using tests::back;
+using tests::front;
 
 class tst_PatternContours : public QObject {
     Q_OBJECT
@@ -50,7 +53,6 @@ private slots:
 
 namespace {
 
-const PieceId front("front"), back("back");
 constexpr double rounding = 1e-12; // [m]
 
 std::vector<Vec2> seamPoints(const Pattern& pattern, const Seam& seam, std::size_t side) {
@@ -421,5 +423,5 @@ void tst_PatternContours::easeOfAWholeSeamStaysWhenItIsNotched() {
     QCOMPARE(more.seams[0].sections, (std::vector<SeamSection>{{0.001, {}}}));
 }
 
-QTEST_APPLESS_MAIN(tst_PatternContours)
+TOILE_TEST(tst_PatternContours)
 #include "tst_PatternContours.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/PatternDarts.h"
+#include "tests/Suite.h"
 
 #include "core/pattern/PatternCheck.h"
 #include "core/pattern/PatternContours.h"
@@ -11,6 +12,7 @@
 
 using namespace toile;
 using namespace toile::pattern;
+using tests::front;
 
 class tst_PatternDarts : public QObject {
     Q_OBJECT
@@ -25,14 +27,7 @@ private slots:
 
 namespace {
 
-const PieceId front("front");
-constexpr double rounding = 1e-9;
-
-Pattern unsewn() {
-    Pattern pattern = tests::twoPanels();
-    pattern.seams.clear();
-    return pattern;
-}
+constexpr double dartRounding = 1e-9;
 
 /// In the middle of the front's first edge, 20 mm wide, its tip 60 mm inside.
 Dart dartOf(const Pattern& pattern) {
@@ -46,24 +41,24 @@ Dart dartOf(const Pattern& pattern) {
 
 void tst_PatternDarts::aWedgeIsCutAndSewnShut() {
     IdSource ids{500};
-    const Pattern before = unsewn();
+    const Pattern before = tests::unsewnPanels();
     const auto after = addDart(before, front, dartOf(before), "dart", ids);
     QVERIFY(after);
     QVERIFY(std::abs(areaOf(*findPiece(before, front)) - areaOf(*findPiece(*after, front)) - 0.02 * 0.06 / 2) <
-            rounding);
+            dartRounding);
     QVERIFY(!hasErrors(checkPattern(*after)));
     const Seam& seam = after->seams[0];
     const auto in = partPoints(*after, seam.sides[0].front(), 1e-4),
                out = partPoints(*after, seam.sides[1].front(), 1e-4);
-    QVERIFY(distance(in.back(), out.back()) < rounding);                    // at the tip
-    QVERIFY(std::abs(distance(in.front(), out.front()) - 0.02) < rounding); // across the mouth
+    QVERIFY(distance(in.back(), out.back()) < dartRounding);                    // at the tip
+    QVERIFY(std::abs(distance(in.front(), out.front()) - 0.02) < dartRounding); // across the mouth
     QVERIFY(std::abs(*partLength(*after, seam.sides[0].front()) - *partLength(*after, seam.sides[1].front())) <
-            rounding);
+            dartRounding);
 }
 
 void tst_PatternDarts::aSeamAlongTheEdgePassesOverTheMouth() {
     IdSource ids{500};
-    Pattern before = unsewn();
+    Pattern before = tests::unsewnPanels();
     const EdgeId other = findPiece(before, PieceId("back"))->outline.edges[0].id;
     before = *addSeam(before, {front, dartOf(before).edge}, {PieceId("back"), other}, ids);
     const auto length = [](const Pattern& pattern) {
@@ -74,12 +69,12 @@ void tst_PatternDarts::aSeamAlongTheEdgePassesOverTheMouth() {
     const auto after = addDart(before, front, dartOf(before), "dart", ids);
     QVERIFY(after);
     QCOMPARE(after->seams[0].sides[0].size(), std::size_t(2));
-    QVERIFY(std::abs(length(before) - length(*after) - 0.02) < rounding);
+    QVERIFY(std::abs(length(before) - length(*after) - 0.02) < dartRounding);
 }
 
 void tst_PatternDarts::mirrorImagesAreSewnToo() {
     IdSource ids{500};
-    const auto after = addDart(unsewn(), front, dartOf(unsewn()), "dart", ids);
+    const auto after = addDart(tests::unsewnPanels(), front, dartOf(tests::unsewnPanels()), "dart", ids);
     QVERIFY(after);
     QCOMPARE(after->seams.size(), std::size_t(2)); // the front has one image
     QCOMPARE(after->seams[0].sides[0].front().piece, front);
@@ -88,7 +83,7 @@ void tst_PatternDarts::mirrorImagesAreSewnToo() {
 
 void tst_PatternDarts::aMouthOnACurveHasItsWidth() {
     IdSource ids{500};
-    Pattern before = unsewn();
+    Pattern before = tests::unsewnPanels();
     const Dart dart = dartOf(before);
     before = *setEdgeShape(before, front, dart.edge, geometry::ArcShape{0.1});
     const double whole = edgeLength(*findPiece(before, front), dart.edge);
@@ -102,7 +97,7 @@ void tst_PatternDarts::aMouthOnACurveHasItsWidth() {
 
 void tst_PatternDarts::impossibleDartsAreRefused() {
     IdSource ids{500};
-    const Pattern pattern = unsewn();
+    const Pattern pattern = tests::unsewnPanels();
     const auto isRefused = [&](const Pattern& p, auto change) {
         Dart dart = dartOf(p);
         change(dart);
@@ -119,18 +114,19 @@ void tst_PatternDarts::impossibleDartsAreRefused() {
 
 void tst_PatternDarts::aSeamInTheMouthIsNamed() {
     IdSource ids{500};
-    const EdgeId edge = dartOf(unsewn()).edge; // the mouth is a fifteenth of it, from 0.467 to 0.533
-    const EdgePick other{PieceId("back"), findPiece(unsewn(), PieceId("back"))->outline.edges[0].id};
+    const EdgeId edge = dartOf(tests::unsewnPanels()).edge; // the mouth is a fifteenth of it, from 0.467 to 0.533
+    const EdgePick other{PieceId("back"), findPiece(tests::unsewnPanels(), PieceId("back"))->outline.edges[0].id};
     for (const PieceId& piece : {front, PieceId("image")}) {
         const EdgePick within{piece, edge, 0.48, 0.52}, beyond{piece, edge, 0.48, 0.6};
-        const Pattern sewn = *addSeam(unsewn(), std::span(&within, 1), std::span(&other, 1), "loop", ids);
+        const Pattern sewn = *addSeam(tests::unsewnPanels(), std::span(&within, 1), std::span(&other, 1), "loop", ids);
         const auto refused = addDart(sewn, front, dartOf(sewn), "dart", ids);
         QVERIFY(!refused);
         QVERIFY(refused.error().text.find("The seam \"loop\"") != std::string::npos);
-        const Pattern passing = *addSeam(unsewn(), std::span(&beyond, 1), std::span(&other, 1), "loop", ids);
+        const Pattern passing =
+            *addSeam(tests::unsewnPanels(), std::span(&beyond, 1), std::span(&other, 1), "loop", ids);
         QCOMPARE(addDart(passing, front, dartOf(passing), "dart", ids)->seams[0].name, std::string("loop"));
     }
 }
 
-QTEST_GUILESS_MAIN(tst_PatternDarts)
+TOILE_TEST(tst_PatternDarts, QCoreApplication)
 #include "tst_PatternDarts.moc"

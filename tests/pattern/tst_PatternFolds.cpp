@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/PatternFolds.h"
+#include "tests/Suite.h"
 
 #include "core/pattern/PatternContours.h"
 #include "core/pattern/PatternPieces.h"
@@ -12,7 +13,9 @@
 
 using namespace toile;
 using namespace toile::pattern;
+using tests::back;
 using tests::errorsOf;
+using tests::front;
 
 class tst_PatternFolds : public QObject {
     Q_OBJECT
@@ -33,7 +36,6 @@ private slots:
 
 namespace {
 
-const PieceId front("front"), back("back");
 const FoldId crease("l50");
 
 /// Two panels, the back folded level in the middle.
@@ -188,5 +190,5 @@ void tst_PatternFolds::foldsThatCrossAreNamed() {
              errors[0].c_str());
 }
 
-QTEST_APPLESS_MAIN(tst_PatternFolds)
+TOILE_TEST(tst_PatternFolds)
 #include "tst_PatternFolds.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/PatternPieces.h"
+#include "tests/Suite.h"
 
 #include "core/pattern/PatternCheck.h"
 #include "core/pattern/PatternFabrics.h"
@@ -12,6 +13,9 @@
 
 using namespace toile;
 using namespace toile::pattern;
+using tests::back;
+using tests::front;
+using tests::image;
 
 class tst_PatternPieces : public QObject {
     Q_OBJECT
@@ -40,9 +44,7 @@ private slots:
     void freeNumbersAreAboveAllInUse();
 };
 
-namespace {
-const PieceId front("front"), back("back"), image("image");
-}
+namespace {}
 
 void tst_PatternPieces::theSamplePatternHasNoErrors() {
     for (const Problem& problem : checkPattern(tests::twoPanels()))
@@ -296,5 +298,5 @@ void tst_PatternPieces::freeNumbersAreAboveAllInUse() {
     QCOMPARE(ids.take<VertexId>(), VertexId("v19"));
 }
 
-QTEST_APPLESS_MAIN(tst_PatternPieces)
+TOILE_TEST(tst_PatternPieces)
 #include "tst_PatternPieces.moc"

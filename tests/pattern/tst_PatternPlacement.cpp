@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/PatternPlacement.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <cmath>
@@ -59,5 +60,5 @@ void tst_PatternPlacement::aPieceMovedOutwardIsWiderAboutTheSameMiddle() {
     QVERIFY(distance(flat.transform.origin, {0, 0, 0.03}) < 1e-12);
 }
 
-QTEST_GUILESS_MAIN(tst_PatternPlacement)
+TOILE_TEST(tst_PatternPlacement, QCoreApplication)
 #include "tst_PatternPlacement.moc"

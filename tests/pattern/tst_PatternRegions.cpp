@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/PatternRegions.h"
+#include "tests/Suite.h"
 
 #include "core/pattern/Brush.h"
 #include "tests/pattern/TwoPanels.h"
@@ -9,6 +10,7 @@
 
 using namespace toile;
 using namespace toile::pattern;
+using tests::front;
 
 class tst_PatternRegions : public QObject {
     Q_OBJECT
@@ -25,8 +27,6 @@ private slots:
 };
 
 namespace {
-
-const PieceId front("front");
 
 double areaOf(const Region& region) {
     double area = geometry::signedArea(region.outline);
@@ -124,5 +124,5 @@ void tst_PatternRegions::aMirrorImageCannotBePainted() {
     QVERIFY(!paintNewRegion(tests::twoPanels(), PieceId("image"), {{{0.1, 0.1}}, 0.01}, "dot", 1, ids));
 }
 
-QTEST_APPLESS_MAIN(tst_PatternRegions)
+TOILE_TEST(tst_PatternRegions)
 #include "tst_PatternRegions.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/PatternSeams.h"
+#include "tests/Suite.h"
 
 #include "core/pattern/PatternMeasures.h"
 #include "tests/pattern/TwoPanels.h"
@@ -8,6 +9,9 @@
 
 using namespace toile;
 using namespace toile::pattern;
+using tests::back;
+using tests::front;
+using tests::image;
 
 class tst_PatternSeams : public QObject {
     Q_OBJECT
@@ -31,16 +35,8 @@ private slots:
 
 namespace {
 
-const PieceId front("front"), back("back"), image("image");
-
-Pattern unsewn() {
-    Pattern pattern = tests::twoPanels();
-    pattern.seams.clear();
-    return pattern;
-}
-
 Pattern unplaced() {
-    Pattern pattern = unsewn();
+    Pattern pattern = tests::unsewnPanels();
     for (auto& shared : pattern.pieces) {
         Piece piece = *shared;
         piece.placement.reset();
@@ -81,7 +77,7 @@ void tst_PatternSeams::aMirrorImageIsWalkedAgainstItsSource() {
 
 void tst_PatternSeams::inSpaceTheNearerEndsMeet() {
     // The back stands on its head: its left edge, still at the front's right one, now runs upwards.
-    Pattern pattern = unsewn();
+    Pattern pattern = tests::unsewnPanels();
     Piece turned = *pattern.pieces[1];
     turned.placement = Placement{{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0.15, 1.0, -0.2}}, {}};
     pattern.pieces[1] = turned;
@@ -95,7 +91,7 @@ void tst_PatternSeams::inSpaceTheNearerEndsMeet() {
 }
 
 void tst_PatternSeams::aDartClosesFromItsMouthToItsTip() {
-    Pattern pattern = unsewn();
+    Pattern pattern = tests::unsewnPanels();
     Piece piece = *pattern.pieces[1];
     auto& v = piece.outline.vertices;
     auto& e = piece.outline.edges;
@@ -122,7 +118,7 @@ void tst_PatternSeams::aChainIsWalkedBackwardsAsAWhole() {
 
 void tst_PatternSeams::walkedChainsAreSewnAsTheyAre() {
     IdSource ids{50};
-    const Pattern pattern = unsewn();
+    const Pattern pattern = tests::unsewnPanels();
     const auto edge = [&](std::size_t piece, std::size_t i) { return pattern.pieces[piece]->outline.edges[i].id; };
     const std::array<std::vector<SeamPart>, 2> sides{
         {{{front, edge(0, 1), 0, 1, true}, {front, edge(0, 0), 0, 1, true}}, {{back, edge(1, 3), 0, 1, false}}}};
@@ -145,8 +141,8 @@ void tst_PatternSeams::aSewnStretchIsRefused() {
 
 void tst_PatternSeams::anEdgeIsNotSewnToItself() {
     IdSource ids{50};
-    QVERIFY(!addSeam(unsewn(), {front, EdgeId("top"), 0, 0.6}, {front, EdgeId("top"), 0.5, 1}, ids));
-    QVERIFY(addSeam(unsewn(), {front, EdgeId("top"), 0, 0.5}, {front, EdgeId("top"), 0.5, 1}, ids));
+    QVERIFY(!addSeam(tests::unsewnPanels(), {front, EdgeId("top"), 0, 0.6}, {front, EdgeId("top"), 0.5, 1}, ids));
+    QVERIFY(addSeam(tests::unsewnPanels(), {front, EdgeId("top"), 0, 0.5}, {front, EdgeId("top"), 0.5, 1}, ids));
 }
 
 void tst_PatternSeams::reversingTwiceChangesNothing() {
@@ -219,5 +215,5 @@ void tst_PatternSeams::aSeamIsRemoved() {
     QVERIFY(!removeSeam(after, SeamId("s1")));
 }
 
-QTEST_APPLESS_MAIN(tst_PatternSeams)
+TOILE_TEST(tst_PatternSeams)
 #include "tst_PatternSeams.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/PatternTacks.h"
+#include "tests/Suite.h"
 
 #include "core/pattern/PatternContours.h"
 #include "core/pattern/PatternPieces.h"
@@ -11,7 +12,10 @@
 
 using namespace toile;
 using namespace toile::pattern;
+using tests::back;
 using tests::errorsOf;
+using tests::front;
+using tests::image;
 
 class tst_PatternTacks : public QObject {
     Q_OBJECT
@@ -29,8 +33,6 @@ private slots:
 };
 
 namespace {
-
-const PieceId front("front"), back("back"), image("image");
 
 /// Two panels, and a tack that holds one to the other.
 Pattern tacked() {
@@ -127,5 +129,5 @@ void tst_PatternTacks::anIdIsNeverUsedTwice() {
     QCOMPARE(firstFreeNumber(tacked()), 51);
 }
 
-QTEST_APPLESS_MAIN(tst_PatternTacks)
+TOILE_TEST(tst_PatternTacks)
 #include "tst_PatternTacks.moc"

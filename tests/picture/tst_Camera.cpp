@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/Camera.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -199,5 +200,5 @@ void tst_Camera::pixelSizeIsTheDistanceOfNeighbouringPixels() {
     QVERIFY(std::abs(pixelSize(someCamera(), picture800, point) - distance(a, b)) < rounding);
 }
 
-QTEST_APPLESS_MAIN(tst_Camera)
+TOILE_TEST(tst_Camera)
 #include "tst_Camera.moc"

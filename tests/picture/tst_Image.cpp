@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/Image.h"
+#include "tests/Suite.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -60,5 +61,5 @@ void tst_Image::aFolderThatDoesNotExistIsAnError() {
     QVERIFY(!written.error().text.empty());
 }
 
-QTEST_APPLESS_MAIN(tst_Image)
+TOILE_TEST(tst_Image)
 #include "tst_Image.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/Picking.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -10,7 +11,7 @@ using namespace toile::picture;
 
 namespace {
 
-constexpr double rounding = 1e-9;
+constexpr double hitRounding = 1e-9;
 
 /// Two squares of two triangles, one metre wide: piece "near" at z = 1, piece "far" at z = 0.
 simulation::Frame twoSquares() {
@@ -50,10 +51,10 @@ void tst_Picking::barycentricWeightsGiveThePoint() {
         if (std::abs(dot(cross(b - a, c - a), normalized(wanted - eye))) < 1e-3) continue; // seen edge-on
         const auto hit = intersection({eye, normalized(wanted - eye)}, a, b, c);
         QVERIFY(hit);
-        QVERIFY(std::abs(hit->distance - distance(eye, wanted)) < rounding);
+        QVERIFY(std::abs(hit->distance - distance(eye, wanted)) < hitRounding);
         const auto [u, v, w] = hit->barycentric;
-        QVERIFY(distance(a * u + b * v + c * w, wanted) < rounding);
-        QVERIFY(std::abs(u + v + w - 1) < rounding);
+        QVERIFY(distance(a * u + b * v + c * w, wanted) < hitRounding);
+        QVERIFY(std::abs(u + v + w - 1) < hitRounding);
     }
 }
 
@@ -76,7 +77,7 @@ void tst_Picking::theNearestPieceIsPicked() {
     QVERIFY(front);
     QCOMPARE(front->piece, std::string("near"));
     QCOMPARE(front->triangle, 1);
-    QVERIFY(distance(front->point, {0.25, 0.5, 1}) < rounding);
+    QVERIFY(distance(front->point, {0.25, 0.5, 1}) < hitRounding);
     QCOMPARE(pickCloth({{0.25, 0.5, -3}, {0, 0, 1}}, frame)->piece, std::string("far"));
 }
 
@@ -84,5 +85,5 @@ void tst_Picking::beyondThePiecesNothingIsPicked() {
     QVERIFY(!pickCloth({{1.5, 0.5, 3}, {0, 0, -1}}, twoSquares()));
 }
 
-QTEST_APPLESS_MAIN(tst_Picking)
+TOILE_TEST(tst_Picking)
 #include "tst_Picking.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/OffscreenGl.h"
 #include "core/picture/RenderPicture.h"
+#include "tests/Suite.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -362,5 +363,5 @@ void tst_Rendering::aMeshBecomesAPngFile() {
     QVERIFY(std::filesystem::file_size(path) > 1000);
 }
 
-QTEST_APPLESS_MAIN(tst_Rendering)
+TOILE_TEST(tst_Rendering)
 #include "tst_Rendering.moc"

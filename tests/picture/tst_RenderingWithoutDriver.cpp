@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/RenderPicture.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
 using namespace toile;
 using namespace toile::picture;
 
-/// A program of its own, because a process looks for its graphics driver once.
+/// A test of its own, because a process looks for its graphics driver once.
 class tst_RenderingWithoutDriver : public QObject {
     Q_OBJECT
+public:
+    static void initMain() { qputenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent"); }
 private slots:
     void anErrorSaysWhatIsMissing();
     void askingAgainIsAnErrorAgain();
@@ -25,10 +28,5 @@ void tst_RenderingWithoutDriver::askingAgainIsAnErrorAgain() {
     QVERIFY(!renderPicture({}, ViewDirection::front, 100, 100));
 }
 
-int main(int argc, char** argv) {
-    qputenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent");
-    tst_RenderingWithoutDriver test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+TOILE_TEST(tst_RenderingWithoutDriver)
 #include "tst_RenderingWithoutDriver.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/Cavity.h"
 #include "core/picture/SurfaceData.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -200,5 +201,5 @@ void tst_SurfaceData::boundsLeaveOutWhatIsNotDrawn() {
     QCOMPARE(boundsOf(scene)->high, (Vec3{-1, 0, 0}));
 }
 
-QTEST_APPLESS_MAIN(tst_SurfaceData)
+TOILE_TEST(tst_SurfaceData)
 #include "tst_SurfaceData.moc"

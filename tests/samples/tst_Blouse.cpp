@@ -4,14 +4,14 @@
 #include "samples/Blouse.h"
 #include "samples/Measuring.h"
 #include "samples/Placing.h"
+#include "tests/Suite.h"
+#include "tests/samples/Corners.h"
 
 using namespace toile;
 using namespace toile::pattern;
 using namespace toile::samples;
 
 namespace {
-
-constexpr double degree = 0.017453292519943295; // [rad]
 
 struct Sample {
     body::Measurements measurements = blouseWearer();
@@ -23,7 +23,7 @@ struct Sample {
 
     [[nodiscard]] const Piece& piece(const char* id) const { return *findPiece(pattern, PieceId{id}); }
     [[nodiscard]] double angle(const char* id, const char* corner) const {
-        return cornerAngle(piece(id), vertexId(id, corner)) / degree;
+        return cornerDegrees(piece(id), vertexId(id, corner));
     }
 };
 
@@ -181,5 +181,5 @@ void tst_Blouse::measuresThatDoNotGoTogetherAreNamed() {
     QVERIFY2(hem.find("The draft finds no width of the hem") == 0, hem.c_str());
 }
 
-QTEST_APPLESS_MAIN(tst_Blouse)
+TOILE_TEST(tst_Blouse)
 #include "tst_Blouse.moc"

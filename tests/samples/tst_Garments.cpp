@@ -10,6 +10,8 @@
 #include "samples/Strokes.h"
 #include "samples/TShirt.h"
 #include "samples/Trousers.h"
+#include "tests/Suite.h"
+#include "tests/samples/Corners.h"
 
 using namespace toile;
 using namespace toile::pattern;
@@ -18,7 +20,6 @@ using namespace toile::samples;
 namespace {
 
 constexpr double micrometre = 1e-6; // widths are measured on flattened curves
-constexpr double degree = 0.017453292519943295;
 
 /// Drafted once for all tests: finding the body takes a second.
 const Wearers& wearers() {
@@ -213,7 +214,7 @@ void tst_Garments::matedCornersAreTrue() {
     double sum = 0;
     for (const QString& corner : corners) {
         const std::string id = corner.section(':', 0, 0).toStdString(), name = corner.section(':', 1).toStdString();
-        sum += cornerAngle(piece(patternOf(sample.toStdString()), id), vertexId(id, name)) / degree;
+        sum += cornerDegrees(piece(patternOf(sample.toStdString()), id), vertexId(id, name));
     }
     QVERIFY2(std::abs(sum - 180) < 3, qPrintable(QString::number(sum))); // the trade's tolerance
 }
@@ -227,5 +228,5 @@ void tst_Garments::bodiesOfSmallScenesAreClosed() {
     QVERIFY(std::abs(geometry::signedVolume(cylinderMesh()) / (M_PI * 0.1 * 0.1 * 0.6) - 1) < 5e-4);
 }
 
-QTEST_APPLESS_MAIN(tst_Garments)
+TOILE_TEST(tst_Garments)
 #include "tst_Garments.moc"

@@ -5,12 +5,10 @@
 #include "core/simulation/Sew.h"
 #include "samples/RegionScenes.h"
 #include "samples/SmallScenes.h"
+#include "tests/Suite.h"
 
 #include <cmath>
 #include <numbers>
-
-Q_DECLARE_METATYPE(toile::document::Document)
-Q_DECLARE_METATYPE(toile::geometry::TriangleMesh)
 
 using namespace toile;
 
@@ -134,5 +132,5 @@ void tst_SmallScenes::noFrameShowsClothInTheBodyOrInItself() {
     QVERIFY2(tally.withBody.frames == 0 && tally.withItself.frames == 0, simulation::describe(tally).c_str());
 }
 
-QTEST_GUILESS_MAIN(tst_SmallScenes)
+TOILE_TEST(tst_SmallScenes, QCoreApplication)
 #include "tst_SmallScenes.moc"

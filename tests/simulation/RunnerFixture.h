@@ -7,8 +7,6 @@
 #include <QTest>
 #include <functional>
 
-Q_DECLARE_METATYPE(std::function<void(toile::simulation::Runner&)>)
-
 namespace toile::simulation {
 
 /// The first frame from now on that is as wanted; absent after a minute.

@@ -14,6 +14,11 @@ inline Simulation simulationOf(const Scene& scene) {
     return std::move(*simulation);
 }
 
+inline void run(Simulation& simulation, int frames) {
+    for (int frame = 0; frame < frames; ++frame)
+        if (const auto done = simulation.advance(); !done) qFatal("%s", toString(done.error()).c_str());
+}
+
 inline SewReport sewn(Simulation& simulation, const SewSettings& settings = {}) {
     auto report = sew(simulation, settings);
     if (!report) qFatal("%s", toString(report.error()).c_str());

@@ -4,6 +4,8 @@
 #include "core/body/Mannequin.h"
 #include "core/collision/BodySurface.h"
 #include "core/simulation/Arrange.h"
+#include "tests/Suite.h"
+#include "tests/simulation/UsualBody.h"
 
 #include <QTest>
 #include <algorithm>
@@ -12,11 +14,6 @@ using namespace toile;
 using namespace toile::simulation;
 
 namespace {
-
-const body::Body& usual() {
-    static const body::Body made = body::makeMannequin({})->body;
-    return made;
-}
 
 body::Body shifted(body::Body body, const Vec3& by) {
     for (Vec3& p : body.mesh.vertices) p += by;
@@ -68,13 +65,13 @@ pattern::Pattern onlyPiece(pattern::Piece piece) {
 pattern::Pattern apron() {
     pattern::Piece piece = polygonPiece("apron", {{-0.1, -0.1}, {0.1, -0.1}, {0.1, 0.1}, {-0.1, 0.1}}, 0.05);
     piece.placement = pattern::Placement{};
-    piece.placement->transform.origin = usual().landmarks.waist + Vec3{0, 0, 0.2};
+    piece.placement->transform.origin = usualBody().landmarks.waist + Vec3{0, 0, 0.2};
     return onlyPiece(std::move(piece));
 }
 
 /// A tube round the left arm, its axis half-way down it: wide enough for it, and not quite closed.
 pattern::Pattern armlet() {
-    const Transform arm = *body::limbFrame(usual(), body::Limb::leftArm);
+    const Transform arm = *body::limbFrame(usualBody(), body::Limb::leftArm);
     constexpr double radius = 0.07;
     pattern::Piece piece = polygonPiece("armlet", {{-0.2, -0.04}, {0.2, -0.04}, {0.2, 0.04}, {-0.2, 0.04}}, 0.02);
     piece.placement = pattern::Placement{{-arm.axisX, -arm.axisY, arm.axisZ, {}}, pattern::Curl{{0, 1}, radius}};
@@ -125,7 +122,7 @@ private slots:
 
 void tst_Arrange::onTheSameBodyNothingChanges() {
     for (const pattern::Pattern& pattern : {apron(), armlet()}) {
-        const pattern::Pattern arranged = arrangedOn(pattern, usual(), usual());
+        const pattern::Pattern arranged = arrangedOn(pattern, usualBody(), usualBody());
         const pattern::Placement &before = *pattern.pieces[0]->placement, &after = *arranged.pieces[0]->placement;
         constexpr double rounding = 1e-12;
         QVERIFY(geometry::distance(before.transform.origin, after.transform.origin) < rounding);
@@ -139,31 +136,31 @@ void tst_Arrange::onTheSameBodyNothingChanges() {
 void tst_Arrange::onAShiftedBodyPiecesGoAlong() {
     const Vec3 by{0.4, 0.1, -0.3};
     for (const pattern::Pattern& pattern : {apron(), armlet()}) {
-        const pattern::Pattern arranged = arrangedOn(pattern, usual(), shifted(usual(), by));
+        const pattern::Pattern arranged = arrangedOn(pattern, usualBody(), shifted(usualBody(), by));
         QVERIFY(geometry::distance(originOf(arranged), originOf(pattern) + by) < 1e-9); // sections are cut anew
     }
 }
 
 void tst_Arrange::aPieceFollowsTheLimbThatItIsNearestTo() {
     const body::Body other = body::makeMannequin({.height = 1.72, .arm = 0.64, .armAngle = 0.9})->body;
-    const pattern::Pattern arranged = arrangedOn(armlet(), usual(), other);
+    const pattern::Pattern arranged = arrangedOn(armlet(), usualBody(), other);
     const Transform arm = *body::limbFrame(other, body::Limb::leftArm);
     const Vec3 d = originOf(arranged) - arm.origin;
     const double along = dot(d, arm.axisY) / body::limbLength(other, body::Limb::leftArm);
-    QVERIFY(std::abs(along - 0.25 / body::limbLength(usual(), body::Limb::leftArm)) < 1e-9);
+    QVERIFY(std::abs(along - 0.25 / body::limbLength(usualBody(), body::Limb::leftArm)) < 1e-9);
     QVERIFY(std::abs(dot(arranged.pieces[0]->placement->transform.axisY, arm.axisY) + 1) < 1e-9); // still along it
 }
 
 void tst_Arrange::onALargerBodyATubeIsWiderAndStaysClear() {
     const body::Body full = body::makeMannequin({.biceps = 0.35, .wrist = 0.19})->body;
-    const pattern::Pattern arranged = arrangedOn(armlet(), usual(), full);
+    const pattern::Pattern arranged = arrangedOn(armlet(), usualBody(), full);
     QVERIFY(arranged.pieces[0]->placement->curl->radius > armlet().pieces[0]->placement->curl->radius);
     QVERIFY(leastClearance(arranged, full) > 0.003); // the skin offset
 }
 
 void tst_Arrange::onASlimmerBodyATubeIsNotRolledTighter() {
     const body::Body slim = body::makeMannequin({.biceps = 0.24, .wrist = 0.145})->body;
-    const pattern::Pattern arranged = arrangedOn(armlet(), usual(), slim);
+    const pattern::Pattern arranged = arrangedOn(armlet(), usualBody(), slim);
     QCOMPARE(arranged.pieces[0]->placement->curl->radius, armlet().pieces[0]->placement->curl->radius);
 }
 
@@ -172,9 +169,9 @@ void tst_Arrange::aPieceThatWouldStartInTheBodyIsMovedOut() {
     pattern::Piece piece = *close.pieces[0];
     piece.placement->transform.origin.z -= 0.14; // touches the belly
     close.pieces[0] = piece;
-    const body::Body moved = shifted(usual(), {0.2, 0, 0});
-    QVERIFY(leastClearance(close, usual()) < 0);
-    const pattern::Pattern arranged = arrangedOn(close, usual(), moved);
+    const body::Body moved = shifted(usualBody(), {0.2, 0, 0});
+    QVERIFY(leastClearance(close, usualBody()) < 0);
+    const pattern::Pattern arranged = arrangedOn(close, usualBody(), moved);
     QVERIFY(leastClearance(arranged, moved) > 0.003);
     QVERIFY(originOf(arranged).z > originOf(close).z);
 }
@@ -182,10 +179,10 @@ void tst_Arrange::aPieceThatWouldStartInTheBodyIsMovedOut() {
 void tst_Arrange::aNarrowBandThatCrossesTheBodyIsMovedOut() { // its corners are clear, its long edges are not
     pattern::Piece band = polygonPiece("band", {{-0.3, 0}, {0.3, 0}, {0.3, 0.004}, {-0.3, 0.004}}, 0.02);
     band.placement = pattern::Placement{};
-    band.placement->transform.origin = usual().landmarks.waist + Vec3{0, 0, 0.05};
+    band.placement->transform.origin = usualBody().landmarks.waist + Vec3{0, 0, 0.05};
     const pattern::Pattern pattern = onlyPiece(std::move(band));
-    QVERIFY(leastClearance(pattern, usual()) < 0);
-    QVERIFY(leastClearance(startingClearOf(pattern, usual()), usual()) > 0.003);
+    QVERIFY(leastClearance(pattern, usualBody()) < 0);
+    QVERIFY(leastClearance(startingClearOf(pattern, usualBody()), usualBody()) > 0.003);
 }
 
 void tst_Arrange::onABentArmASleeveFollowsItAndKeepsItsGirth() {
@@ -194,8 +191,8 @@ void tst_Arrange::onABentArmASleeveFollowsItAndKeepsItsGirth() {
     for (auto& vertex : longer.outline.vertices)
         vertex.position.y = vertex.position.y < 0 ? -0.22 : 0.08; // over the elbow
     sleeve.pieces[0] = longer;
-    const body::Body bent = withLeftElbowBent(usual(), 0.6);
-    const pattern::Pattern arranged = arrangedOn(sleeve, usual(), bent);
+    const body::Body bent = withLeftElbowBent(usualBody(), 0.6);
+    const pattern::Pattern arranged = arrangedOn(sleeve, usualBody(), bent);
     const pattern::Placement& placement = *arranged.pieces[0]->placement;
     QVERIFY(placement.curl->bent);
     QVERIFY(leastClearance(arranged, bent) > 0.003); // the skin offset
@@ -211,17 +208,17 @@ void tst_Arrange::onABentArmASleeveFollowsItAndKeepsItsGirth() {
 void tst_Arrange::aTrouserLegStartsOnItsOwnSide() {
     pattern::Piece leg = polygonPiece("leg", {{-0.05, -0.7}, {0.2, -0.7}, {0.2, 0.2}, {0.02, 0.2}}, 0.02);
     leg.placement = pattern::Placement{};
-    leg.placement->transform.origin = usual().landmarks.crotch + Vec3{0, 0, 0.3};
-    const pattern::Pattern arranged = startingClearOf(onlyPiece(leg), usual());
-    QVERIFY(std::abs(originOf(arranged).x - (usual().landmarks.crotch.x + 0.05)) < 1e-12);
+    leg.placement->transform.origin = usualBody().landmarks.crotch + Vec3{0, 0, 0.3};
+    const pattern::Pattern arranged = startingClearOf(onlyPiece(leg), usualBody());
+    QVERIFY(std::abs(originOf(arranged).x - (usualBody().landmarks.crotch.x + 0.05)) < 1e-12);
 }
 
 void tst_Arrange::aSkirtThatSpansBothLegsStays() {
     pattern::Piece skirt = polygonPiece("skirt", {{-0.2, -0.5}, {0.3, -0.5}, {0.3, 0.2}, {-0.2, 0.2}}, 0.02);
     skirt.placement = pattern::Placement{};
-    skirt.placement->transform.origin = usual().landmarks.crotch + Vec3{0, 0, 0.3};
+    skirt.placement->transform.origin = usualBody().landmarks.crotch + Vec3{0, 0, 0.3};
     const pattern::Pattern pattern = onlyPiece(std::move(skirt));
-    QCOMPARE(originOf(startingClearOf(pattern, usual())), originOf(pattern));
+    QCOMPARE(originOf(startingClearOf(pattern, usualBody())), originOf(pattern));
 }
 
 void tst_Arrange::piecesWithoutPlacementStayWithout() {
@@ -229,15 +226,15 @@ void tst_Arrange::piecesWithoutPlacementStayWithout() {
     pattern::Piece piece = *pattern.pieces[0];
     piece.placement.reset();
     pattern.pieces[0] = piece;
-    QVERIFY(!arrangedOn(pattern, usual(), shifted(usual(), {1, 0, 0})).pieces[0]->placement);
+    QVERIFY(!arrangedOn(pattern, usualBody(), shifted(usualBody(), {1, 0, 0})).pieces[0]->placement);
 }
 
 void tst_Arrange::withoutLimbsNothingChanges() {
-    body::Body table = usual();
+    body::Body table = usualBody();
     table.axes.clear();
-    QCOMPARE(originOf(arrangedOn(apron(), usual(), table)), originOf(apron()));
-    QCOMPARE(originOf(arrangedOn(apron(), table, usual())), originOf(apron()));
+    QCOMPARE(originOf(arrangedOn(apron(), usualBody(), table)), originOf(apron()));
+    QCOMPARE(originOf(arrangedOn(apron(), table, usualBody())), originOf(apron()));
 }
 
-QTEST_APPLESS_MAIN(tst_Arrange)
+TOILE_TEST(tst_Arrange)
 #include "tst_Arrange.moc"

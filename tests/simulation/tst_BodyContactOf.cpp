@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/simulation/Sewn.h"
 #include "tests/simulation/SmallScenes.h"
 
@@ -25,5 +26,5 @@ void tst_BodyContactOf::whatPressesHardRestsAtItsDistance() {
         QVERIFY2(std::abs(x.y - target) < 5e-6, qPrintable(QString::number(x.y - target))); // dented by 0.3 mm else
 }
 
-QTEST_GUILESS_MAIN(tst_BodyContactOf)
+TOILE_TEST(tst_BodyContactOf, QCoreApplication)
 #include "tst_BodyContactOf.moc"

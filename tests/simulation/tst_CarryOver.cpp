@@ -2,6 +2,7 @@
 #include "SmallScenes.h"
 #include "core/simulation/CarryOver.h"
 #include "core/simulation/MeshInputOf.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -11,7 +12,7 @@ using namespace toile::simulation;
 namespace {
 
 /// A piece with a slanted edge, so that its mesh has triangles too.
-meshing::PieceMesh meshOf(double spacing) {
+meshing::PieceMesh meshAt(double spacing) {
     pattern::Pattern pattern;
     pattern.fabrics.push_back(plainCloth());
     pattern.pieces.push_back(polygonPiece("piece", {{0, 0}, {0.30, 0}, {0.22, 0.21}, {0, 0.21}}, spacing));
@@ -82,7 +83,7 @@ void tst_CarryOver::sewnNodesComeTogetherWhereTheyAreNear() {
 }
 
 void tst_CarryOver::aConstantFieldStaysConstant() {
-    const meshing::PieceMesh mesh = meshOf(0.03), other = meshOf(0.013);
+    const meshing::PieceMesh mesh = meshAt(0.03), other = meshAt(0.013);
     const Vec3 place{0.4, 1.2, -0.1};
     const std::vector<Vec3> field(mesh.nodes.size(), place);
     const DrapedPiece drape(mesh, field);
@@ -90,7 +91,7 @@ void tst_CarryOver::aConstantFieldStaysConstant() {
 }
 
 void tst_CarryOver::onTheSameMeshEveryNodeKeepsItsPlace() {
-    const meshing::PieceMesh mesh = meshOf(0.02);
+    const meshing::PieceMesh mesh = meshAt(0.02);
     std::vector<Vec3> field;
     for (std::size_t node = 0; node < mesh.nodes.size(); ++node) // no two alike, nothing smooth
         field.push_back({std::sin(12.9 * double(node)), std::cos(78.2 * double(node)), double(node % 7)});
@@ -110,14 +111,14 @@ void tst_CarryOver::aLinearFieldIsReproducedOnAnotherMesh_data() {
 void tst_CarryOver::aLinearFieldIsReproducedOnAnotherMesh() {
     QFETCH(double, from);
     QFETCH(double, to);
-    const meshing::PieceMesh mesh = meshOf(from), other = meshOf(to);
+    const meshing::PieceMesh mesh = meshAt(from), other = meshAt(to);
     const std::vector<Vec3> field = linearField(mesh);
     const DrapedPiece drape(mesh, field);
     for (const Vec2 p : other.nodes) QVERIFY(geometry::distance(drape.at(p), linear(p)) < rounding);
 }
 
 void tst_CarryOver::outsideTheOldOutlineALinearFieldGoesOn() {
-    const meshing::PieceMesh mesh = meshOf(0.03);
+    const meshing::PieceMesh mesh = meshAt(0.03);
     const std::vector<Vec3> field = linearField(mesh);
     const DrapedPiece drape(mesh, field);
     for (const Vec2 p : {Vec2{-0.02, 0.1}, Vec2{0.31, -0.01}, Vec2{0.1, 0.25}, Vec2{0.30, 0.21}})
@@ -126,7 +127,7 @@ void tst_CarryOver::outsideTheOldOutlineALinearFieldGoesOn() {
 
 void tst_CarryOver::aCurvedDrapeIsCarriedWithinTheErrorOfItsMesh() {
     const double spacing = 0.02, radius = 0.1;
-    const meshing::PieceMesh mesh = meshOf(spacing), other = meshOf(0.007);
+    const meshing::PieceMesh mesh = meshAt(spacing), other = meshAt(0.007);
     const auto rolled = [&](Vec2 p) {
         return Vec3{radius * std::sin(p.x / radius), p.y, radius * std::cos(p.x / radius)};
     };
@@ -139,5 +140,5 @@ void tst_CarryOver::aCurvedDrapeIsCarriedWithinTheErrorOfItsMesh() {
     for (const Vec2 p : other.nodes) QVERIFY(geometry::distance(drape.at(p), rolled(p)) < bound);
 }
 
-QTEST_APPLESS_MAIN(tst_CarryOver)
+TOILE_TEST(tst_CarryOver)
 #include "tst_CarryOver.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
+#include "tests/Suite.h"
 #include "tests/simulation/Sewn.h"
 
 #include <QTest>
@@ -79,5 +80,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_DrapeWith)
+TOILE_TEST(tst_DrapeWith)
 #include "tst_DrapeWith.moc"

@@ -2,8 +2,8 @@
 #include "SmallScenes.h"
 #include "core/pattern/PatternFabrics.h"
 #include "core/simulation/DrawnUp.h"
-#include "core/simulation/Garment.h"
-#include "core/simulation/MeshInputOf.h"
+#include "tests/Suite.h"
+#include "tests/simulation/Garments.h"
 
 #include <QTest>
 
@@ -27,12 +27,6 @@ pattern::Pattern eased() {
     pattern::Pattern pattern = gathered();
     pattern.seams[0].sections = {{.ease = 0.1, .gatherRatio = {}}};
     return pattern;
-}
-
-meshing::GarmentMesh meshOf(const pattern::Pattern& pattern) {
-    auto mesh = meshing::meshGarment(*meshInputOf(pattern));
-    if (!mesh) qFatal("%s", toString(mesh.error()).c_str());
-    return *mesh;
 }
 
 } // namespace
@@ -102,5 +96,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_DrawnUp)
+TOILE_TEST(tst_DrawnUp, QCoreApplication)
 #include "tst_DrawnUp.moc"

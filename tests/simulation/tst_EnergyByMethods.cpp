@@ -2,6 +2,7 @@
 #include "SmallScenes.h"
 #include "core/dynamics/Energy.h"
 #include "core/material/FabricPresets.h"
+#include "tests/Suite.h"
 #include "tests/simulation/Sewn.h"
 
 #include <QTest>
@@ -10,8 +11,6 @@
 using namespace toile;
 using namespace toile::simulation;
 using dynamics::Method;
-
-Q_DECLARE_METATYPE(toile::dynamics::Method)
 
 namespace {
 
@@ -110,5 +109,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_EnergyByMethods)
+TOILE_TEST(tst_EnergyByMethods)
 #include "tst_EnergyByMethods.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/FrameTally.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -40,5 +41,5 @@ void tst_FrameTally::whatIsNotSeenHasNoTime() {
     QCOMPARE(*json.find("count")->asNumber(), 1.0);
 }
 
-QTEST_APPLESS_MAIN(tst_FrameTally)
+TOILE_TEST(tst_FrameTally)
 #include "tst_FrameTally.moc"

@@ -4,9 +4,9 @@
 #include "core/dynamics/Statics.h"
 #include "core/pattern/PatternFabrics.h"
 #include "core/pattern/PatternPieces.h"
-#include "core/simulation/Garment.h"
-#include "core/simulation/MeshInputOf.h"
 #include "core/simulation/Topology.h"
+#include "tests/Suite.h"
+#include "tests/simulation/Garments.h"
 #include "tests/simulation/Sewn.h"
 
 #include <QTest>
@@ -36,11 +36,6 @@ double largestDistance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     return largest;
 }
 
-void run(Simulation& simulation, int steps) {
-    for (int step = 0; step < steps; ++step)
-        if (const auto done = simulation.advance(); !done) qFatal("%s", toString(done.error()).c_str());
-}
-
 /// A small sheet that falls on a frozen one, 20 mm below it.
 Scene sheetOnFrozenSheet() {
     Scene scene = sheetOnTable();
@@ -51,11 +46,6 @@ Scene sheetOnFrozenSheet() {
     small.placement->transform.origin.y += 0.02;
     scene.pattern.pieces.push_back(std::move(small));
     return frozen(scene, sheet);
-}
-
-Garment garmentOf(const pattern::Pattern& pattern, const std::vector<bool>& merged) {
-    auto mesh = meshing::meshGarment(*meshInputOf(pattern));
-    return *makeGarment(pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), merged);
 }
 
 } // namespace
@@ -135,7 +125,7 @@ private slots:
         const pattern::Pattern plain = twoSquares(0.05).pattern;
         pattern::Pattern stiff = plain;
         for (const auto& piece : plain.pieces) stiff = *pattern::setStrengthened(stiff, piece->id, true);
-        const cloth::ClothModel a = garmentOf(plain, {true}).model, b = garmentOf(stiff, {true}).model;
+        const cloth::ClothModel a = garmentOf(plain, true).model, b = garmentOf(stiff, true).model;
         const auto isFactor = [](const auto& from, const auto& to, double factor) {
             return !from.empty() && std::ranges::equal(from, to, [&](const auto& x, const auto& y) {
                 return std::abs(y.stiffness - factor * x.stiffness) <= 1e-12 * y.stiffness;
@@ -155,7 +145,7 @@ private slots:
         scene.pattern.pieces.push_back(
             polygonPiece("strip", {{0, 0}, {free + spacing, 0}, {free + spacing, width}, {0, width}}, spacing));
         const auto sagOf = [&](const pattern::Pattern& pattern) {
-            Garment garment = garmentOf(pattern, {});
+            Garment garment = garmentOf(pattern);
             dynamics::ParticleState state;
             for (const Vec2 p : garment.mesh->pieces[0].nodes) {
                 if (p.x < 1.5 * spacing) garment.model.pinned.push_back(static_cast<int>(state.positions.size()));
@@ -178,5 +168,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_FrozenPieces)
+TOILE_TEST(tst_FrozenPieces, QCoreApplication)
 #include "tst_FrozenPieces.moc"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/simulation/Simulation.h"
+#include "tests/Suite.h"
 #include "tests/dynamics/DenseSink.h"
+#include "tests/simulation/Sewn.h"
 
 #include <QTest>
 #include <algorithm>
@@ -11,10 +13,10 @@ using namespace toile::simulation;
 
 namespace {
 
-constexpr double side = 0.2; // of the square [m]
+constexpr double clothSide = 0.2; // of the square [m]
 
 /// A square of cloth, level, half a metre and a little over the floor.
-Scene sheet(double gravity = 0) {
+Scene levelSquare(double gravity = 0) {
     Scene scene = twoSquares(0.02);
     scene.settings.gravity = {0, -gravity, 0};
     scene.pattern.pieces.pop_back();
@@ -36,11 +38,7 @@ Vec3 placeOf(const Simulation& simulation, Vec2 material) {
     return simulation.nodePositions()[found - nodes.begin()];
 }
 
-void run(Simulation& simulation, int frames) {
-    for (int i = 0; i < frames; ++i) QVERIFY(simulation.advance());
-}
-
-constexpr Vec2 middle{side / 2, side / 2};
+constexpr Vec2 middle{clothSide / 2, clothSide / 2};
 
 } // namespace
 
@@ -62,7 +60,7 @@ private slots:
 };
 
 void tst_Grips::withoutAHandThereIsNoStage() {
-    auto simulation = Simulation::create(sheet());
+    auto simulation = Simulation::create(levelSquare());
     QVERIFY(simulation);
     const auto leftOut = [&] {
         return std::ranges::count(simulation->plan().leftOut(), "hands", &LeftOut::stage) == 1;
@@ -75,7 +73,7 @@ void tst_Grips::withoutAHandThereIsNoStage() {
 }
 
 void tst_Grips::theHeldPlaceFollowsTheHand() {
-    Scene scene = sheet();
+    Scene scene = levelSquare();
     scene.settings.damping = 5;
     auto simulation = Simulation::create(scene);
     QVERIFY(simulation);
@@ -94,7 +92,7 @@ void tst_Grips::theHeldPlaceFollowsTheHand() {
 }
 
 void tst_Grips::theHandGoesNoFasterThanItsSpeed() {
-    auto simulation = Simulation::create(sheet());
+    auto simulation = Simulation::create(levelSquare());
     QVERIFY(simulation);
     Grip grip = gripAt(middle, {0, 2.51, 0}); // two metres higher
     grip.speed = 1;
@@ -105,7 +103,7 @@ void tst_Grips::theHandGoesNoFasterThanItsSpeed() {
 }
 
 void tst_Grips::aHugeJumpOfTheHandIsSurvived() { // S27 of the stability suite
-    Scene scene = sheet(9.81);
+    Scene scene = levelSquare(9.81);
     for (const char* corner : {"v0", "v1", "v2", "v3"})
         scene.pattern.pins.push_back({pattern::PinId(corner), pattern::PieceId("left"), pattern::VertexId(corner)});
     auto simulation = Simulation::create(scene);
@@ -116,7 +114,7 @@ void tst_Grips::aHugeJumpOfTheHandIsSurvived() { // S27 of the stability suite
     run(*simulation, 60);
     for (const Vec3& p : simulation->nodePositions()) {
         QVERIFY(geometry::isFinite(p));
-        QVERIFY2(p.y < 0.51 + side, qPrintable(QString::number(p.y)));
+        QVERIFY2(p.y < 0.51 + clothSide, qPrintable(QString::number(p.y)));
     }
     simulation->hold({});
     run(*simulation, 600);
@@ -125,7 +123,7 @@ void tst_Grips::aHugeJumpOfTheHandIsSurvived() { // S27 of the stability suite
 }
 
 void tst_Grips::theForceIsThatOfTheWeightItCarries() {
-    auto simulation = Simulation::create(sheet(9.81));
+    auto simulation = Simulation::create(levelSquare(9.81));
     QVERIFY(simulation);
     Grip grip = gripAt(middle, {0, 0.51, 0});
     grip.strength = 1; // the sheet weighs 0.06 N: the fingers yield by less than a millimetre
@@ -146,7 +144,7 @@ void tst_Grips::theForceIsThatOfTheWeightItCarries() {
 }
 
 void tst_Grips::theForceIsTheSlopeOfTheEnergy() {
-    auto simulation = Simulation::create(sheet());
+    auto simulation = Simulation::create(levelSquare());
     QVERIFY(simulation);
     simulation->hold({gripAt(middle, {0.004, 0.513, 0}), gripAt({0.05, 0.05}, {0.2, 0.7, 0.1})}); // near and far
     dynamics::ParticleState state = simulation->state();
@@ -177,7 +175,7 @@ void tst_Grips::theForceIsTheSlopeOfTheEnergy() {
 }
 
 void tst_Grips::clothIsNotDraggedThroughTheBody() {
-    Scene scene = sheet(9.81);
+    Scene scene = levelSquare(9.81);
     scene.body = Shared<body::Body>(box()); // its top is at 0.5 m
     auto simulation = Simulation::create(scene);
     QVERIFY(simulation);
@@ -190,7 +188,7 @@ void tst_Grips::clothIsNotDraggedThroughTheBody() {
 }
 
 void tst_Grips::whatIsLetGoFalls() {
-    auto simulation = Simulation::create(sheet(9.81));
+    auto simulation = Simulation::create(levelSquare(9.81));
     QVERIFY(simulation);
     simulation->hold({gripAt(middle, {0, 0.51, 0})});
     run(*simulation, 60);
@@ -201,7 +199,7 @@ void tst_Grips::whatIsLetGoFalls() {
 }
 
 void tst_Grips::aGripOutlivesAnEdit() {
-    Scene scene = sheet(9.81);
+    Scene scene = levelSquare(9.81);
     auto before = Simulation::create(scene);
     QVERIFY(before);
     before->hold({gripAt(middle, {0, 0.51, 0})});
@@ -217,7 +215,7 @@ void tst_Grips::aGripOutlivesAnEdit() {
 }
 
 void tst_Grips::aGripOfAPieceThatIsGoneHoldsNothing() {
-    auto simulation = Simulation::create(sheet(9.81));
+    auto simulation = Simulation::create(levelSquare(9.81));
     QVERIFY(simulation);
     Grip grip = gripAt(middle, {0, 0.51, 0});
     grip.piece = "none";
@@ -227,7 +225,7 @@ void tst_Grips::aGripOfAPieceThatIsGoneHoldsNothing() {
 }
 
 void tst_Grips::aGripFinerThanTheMeshHoldsTheNextNode() {
-    auto simulation = Simulation::create(sheet(9.81));
+    auto simulation = Simulation::create(levelSquare(9.81));
     QVERIFY(simulation);
     Grip grip = gripAt({0.093, 0.107}, {0, 0.51, 0});
     grip.radius = 1e-4;
@@ -236,5 +234,5 @@ void tst_Grips::aGripFinerThanTheMeshHoldsTheNextNode() {
     QVERIFY(placeOf(*simulation, middle).y > 0.5);
 }
 
-QTEST_GUILESS_MAIN(tst_Grips)
+TOILE_TEST(tst_Grips, QCoreApplication)
 #include "tst_Grips.moc"

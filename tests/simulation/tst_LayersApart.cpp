@@ -4,6 +4,8 @@
 #include "core/simulation/LayersApart.h"
 #include "core/simulation/Sew.h"
 #include "core/simulation/Topology.h"
+#include "tests/Suite.h"
+#include "tests/simulation/Garments.h"
 
 #include <QTest>
 #include <algorithm>
@@ -31,10 +33,6 @@ Scene twoPanels(int layerOfFirst, double zOfFirst, int layerOfSecond, double zOf
     scene.pattern.fabrics.push_back(plainCloth());
     scene.pattern.pieces = {flatPanel("first", layerOfFirst, zOfFirst), flatPanel("second", layerOfSecond, zOfSecond)};
     return scene;
-}
-
-meshing::GarmentMesh meshOf(const pattern::Pattern& pattern) {
-    return *meshing::meshGarment(*meshInputOf(pattern));
 }
 
 /// A strip that wraps an upright cylinder of 0.1 m once and is sewn to itself.
@@ -204,5 +202,5 @@ void tst_LayersApart::bandsEndInTheirOrder() {
     QVERIFY(radiiOf(*simulation, 1).least > 0.1 && radiiOf(*simulation, 0).least > 0.1);
 }
 
-QTEST_APPLESS_MAIN(tst_LayersApart)
+TOILE_TEST(tst_LayersApart)
 #include "tst_LayersApart.moc"

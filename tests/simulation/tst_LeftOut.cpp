@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/simulation/Simulation.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <atomic>
@@ -155,5 +156,5 @@ void tst_LeftOut::whatIsAskedForAndNotNeededCostsNothing() {
     QVERIFY(std::abs(notNeeded.bytes - notAskedFor.bytes) <= 32); // the reason is a longer sentence
 }
 
-QTEST_APPLESS_MAIN(tst_LeftOut)
+TOILE_TEST(tst_LeftOut)
 #include "tst_LeftOut.moc"

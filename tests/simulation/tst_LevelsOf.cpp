@@ -3,6 +3,7 @@
 #include "core/dynamics/Prolongation.h"
 #include "core/simulation/LevelsOf.h"
 #include "core/simulation/Simulation.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <algorithm>
@@ -238,5 +239,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_LevelsOf)
+TOILE_TEST(tst_LevelsOf, QCoreApplication)
 #include "tst_LevelsOf.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/simulation/MeshInputOf.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -73,5 +74,5 @@ void tst_MeshInputOf::spacingCanBeOverridden() {
     QCOMPARE(input->pieces[1].spacing, 0.005);
 }
 
-QTEST_APPLESS_MAIN(tst_MeshInputOf)
+TOILE_TEST(tst_MeshInputOf)
 #include "tst_MeshInputOf.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Openings.h"
 #include "core/simulation/Worn.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <cmath>
@@ -69,5 +70,5 @@ void tst_Openings::aLineThroughAndBackCrossesTwice() {
     QCOMPARE(crossings(circle(0), {{0.2, 1, 0.1}, {0.3, -1, 0.1}, {0.5, 1, 0.3}}), 2);
 }
 
-QTEST_APPLESS_MAIN(tst_Openings)
+TOILE_TEST(tst_Openings)
 #include "tst_Openings.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
+#include "tests/Suite.h"
 #include "tests/simulation/Sewn.h"
 
 #include <QTest>
@@ -63,5 +64,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_PaperScene)
+TOILE_TEST(tst_PaperScene, QCoreApplication)
 #include "tst_PaperScene.moc"

@@ -5,6 +5,7 @@
 #include "core/simulation/MeshInputOf.h"
 #include "core/simulation/Warnings.h"
 #include "core/simulation/Wearing.h"
+#include "tests/Suite.h"
 #include "tests/simulation/Sewn.h"
 
 #include <QTest>
@@ -48,11 +49,6 @@ std::shared_ptr<const VertexMotion> movedBy(const Scene& scene, At at) {
         for (Vec3& v : motion.poses.back()) v = at(v, static_cast<double>(pose) / poses);
     }
     return std::make_shared<const VertexMotion>(std::move(motion));
-}
-
-void run(Simulation& simulation, int steps) {
-    for (int step = 0; step < steps; ++step)
-        if (const auto done = simulation.advance(); !done) qFatal("%s", toString(done.error()).c_str());
 }
 
 void move(Simulation& simulation, const std::shared_ptr<const VertexMotion>& motion) {
@@ -281,5 +277,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_PinsToBody)
+TOILE_TEST(tst_PinsToBody, QCoreApplication)
 #include "tst_PinsToBody.moc"

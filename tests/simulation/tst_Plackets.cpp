@@ -5,6 +5,7 @@
 #include "core/simulation/Openings.h"
 #include "core/simulation/Plackets.h"
 #include "core/simulation/RightSide.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <algorithm>
@@ -17,7 +18,7 @@ using namespace toile::simulation;
 namespace {
 
 constexpr int columns = 49, rows = 21;
-constexpr double radius = 0.1, overlap = 0.03, rise = 0.004, spacing = 0.02; // [m]
+constexpr double radius = 0.1, overlap = 0.03, rise = 0.004, rowSpacing = 0.02; // [m]
 
 int particle(int column, int row) {
     return row * columns + column;
@@ -36,7 +37,7 @@ struct Wound {
             for (int column = 0; column < columns; ++column) {
                 const double share = static_cast<double>(column) / (columns - 1);
                 const double angle = sweep * (share - 0.5), r = radius + rise * share;
-                positions.push_back({r * std::sin(angle), spacing * row, -r * std::cos(angle)});
+                positions.push_back({r * std::sin(angle), rowSpacing * row, -r * std::cos(angle)});
             }
         for (int row = 0; row + 1 < rows; ++row)
             for (int column = 0; column + 1 < columns; ++column) {
@@ -150,5 +151,5 @@ void tst_Plackets::cornersThatLieOverTheirImageAreNoLandmarks() {
     QCOMPARE(drapeOf(simulationOf(panelAndImage(-0.015, 0))).mirrorPairs.size(), std::size_t(4));
 }
 
-QTEST_APPLESS_MAIN(tst_Plackets)
+TOILE_TEST(tst_Plackets)
 #include "tst_Plackets.moc"

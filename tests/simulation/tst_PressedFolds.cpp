@@ -2,6 +2,7 @@
 #include "SmallScenes.h"
 #include "core/cloth/FoldAngle.h"
 #include "core/simulation/MeshInputOf.h"
+#include "tests/Suite.h"
 #include "tests/simulation/Sewn.h"
 
 #include <QTest>
@@ -15,14 +16,15 @@ using namespace toile::simulation;
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double width = 0.12, length = 0.24; // of the strip [m]
+constexpr double creasedWidth = 0.12, creasedLength = 0.24; // of the strip [m]
 
 /// A strip with a fold across its middle, or askew; it lies level, weightless, its right side up.
 Scene strip(double angle, double factor = 1, double askew = 0) {
     Scene scene;
     scene.settings.gravity = {};
     scene.pattern.fabrics.push_back(plainCloth());
-    pattern::Piece piece = polygonPiece("strip", {{0, 0}, {length, 0}, {length, width}, {0, width}}, 0.02);
+    pattern::Piece piece =
+        polygonPiece("strip", {{0, 0}, {creasedLength, 0}, {creasedLength, creasedWidth}, {0, creasedWidth}}, 0.02);
     piece.placement = pattern::Placement{{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}, {0, 1, 0}}, {}};
     pattern::Fold fold;
     fold.id = pattern::FoldId("l1");
@@ -163,7 +165,7 @@ void tst_PressedFolds::theFoldBearsTheFlap() {
     for (const cloth::Hinge& h : garment.model.hinges)
         hinges += h.stiffness * cloth::angleFrom(h.restAngle, cloth::foldAngle(x[h.a], x[h.b], x[h.c], x[h.d]).angle);
     for (std::size_t p = 0; p < x.size(); ++p)
-        if (mesh.material[p].x > 0.5 * length + 1e-9)
+        if (mesh.material[p].x > 0.5 * creasedLength + 1e-9)
             weight += dot(along, cross(x[p] - a, Vec3{0, -9.81, 0} * garment.model.mass[p]));
     qInfo("hinges %.4g N·m, weight %.4g N·m", hinges, weight);
     // The fold is not quite straight between its ends: half a percent.
@@ -200,5 +202,5 @@ void tst_PressedFolds::theReportTellsOfFolds() {
     QVERIFY(*fold.find("leastAngleDegrees")->asNumber() <= *fold.find("meanAngleDegrees")->asNumber());
 }
 
-QTEST_APPLESS_MAIN(tst_PressedFolds)
+TOILE_TEST(tst_PressedFolds)
 #include "tst_PressedFolds.moc"

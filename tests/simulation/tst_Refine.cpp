@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/simulation/Refine.h"
+#include "tests/Suite.h"
 #include "tests/simulation/Sewn.h"
 
 #include <QTest>
@@ -126,5 +127,5 @@ void tst_Refine::aStopEndsIt() {
     QVERIFY(!found && found.error().code == ErrorCode::cancelled);
 }
 
-QTEST_GUILESS_MAIN(tst_Refine)
+TOILE_TEST(tst_Refine, QCoreApplication)
 #include "tst_Refine.moc"

@@ -4,6 +4,7 @@
 #include "core/dynamics/Statics.h"
 #include "core/simulation/Garment.h"
 #include "core/simulation/MeshInputOf.h"
+#include "tests/Suite.h"
 #include "tests/cloth/Fixtures.h"
 #include "tests/simulation/SmallScenes.h"
 
@@ -14,13 +15,11 @@
 using namespace toile;
 using namespace toile::simulation;
 
-Q_DECLARE_METATYPE(toile::pattern::Piece)
-
 namespace {
 
 constexpr double side = 0.4, spacing = 0.02, cell = spacing; // of the sheets [m]
 
-pattern::Region box(double x0, double y0, double x1, double y1, int refinement) {
+pattern::Region boxAt(double x0, double y0, double x1, double y1, int refinement) {
     pattern::Region region;
     region.id = pattern::RegionId("box " + std::to_string(refinement));
     region.name = region.id.value;
@@ -29,21 +28,21 @@ pattern::Region box(double x0, double y0, double x1, double y1, int refinement) 
     return region;
 }
 
-pattern::Piece sheet(std::vector<pattern::Region> regions, double at = spacing) {
+pattern::Piece sheetWith(std::vector<pattern::Region> regions, double at = spacing) {
     pattern::Piece piece = polygonPiece("sheet", {{0, 0}, {side, 0}, {side, side}, {0, side}}, at);
     piece.regions = std::move(regions);
     return piece;
 }
 
 /// From 6 to 14 of 20 cells each way.
-pattern::Region middle(int refinement) {
-    return box(6 * cell, 6 * cell, 14 * cell, 14 * cell, refinement);
+pattern::Region middleBox(int refinement) {
+    return boxAt(6 * cell, 6 * cell, 14 * cell, 14 * cell, refinement);
 }
 
 /// Nothing parallel to the grain but the lower edge; one region within, one over the border.
 pattern::Piece slantedPiece() {
     pattern::Piece piece = polygonPiece("slanted", {{0, 0}, {0.4, 0}, {0.36, 0.31}, {0.05, 0.42}}, spacing);
-    piece.regions = {box(0.11, 0.09, 0.25, 0.21, 2), box(0.29, -0.1, 0.5, 0.1, 1)};
+    piece.regions = {boxAt(0.11, 0.09, 0.25, 0.21, 2), boxAt(0.29, -0.1, 0.5, 0.1, 1)};
     return piece;
 }
 
@@ -193,13 +192,14 @@ private slots:
 void tst_RegionJoints::smallStrainsPullNoInnerNode_data() {
     QTest::addColumn<pattern::Piece>("piece");
     QTest::addColumn<int>("refinement");
-    QTest::addRow("half the spacing in the middle") << sheet({middle(1)}) << 1;
-    QTest::addRow("a quarter, with a ring of halves") << sheet({middle(2)}) << 2;
-    QTest::addRow("a 64th on one cell") << sheet({box(9 * cell, 9 * cell, 10 * cell, 10 * cell, 6)}) << 6;
-    QTest::addRow("a region in a region") << sheet({middle(1), box(8 * cell, 8 * cell, 12 * cell, 12 * cell, 3)}) << 3;
-    QTest::addRow("regions that share a corner")
-        << sheet({box(4 * cell, 4 * cell, 10 * cell, 10 * cell, 1), box(10 * cell, 10 * cell, 16 * cell, 16 * cell, 1)})
-        << 1;
+    QTest::addRow("half the spacing in the middle") << sheetWith({middleBox(1)}) << 1;
+    QTest::addRow("a quarter, with a ring of halves") << sheetWith({middleBox(2)}) << 2;
+    QTest::addRow("a 64th on one cell") << sheetWith({boxAt(9 * cell, 9 * cell, 10 * cell, 10 * cell, 6)}) << 6;
+    QTest::addRow("a region in a region")
+        << sheetWith({middleBox(1), boxAt(8 * cell, 8 * cell, 12 * cell, 12 * cell, 3)}) << 3;
+    QTest::addRow("regions that share a corner") << sheetWith({boxAt(4 * cell, 4 * cell, 10 * cell, 10 * cell, 1),
+                                                               boxAt(10 * cell, 10 * cell, 16 * cell, 16 * cell, 1)})
+                                                 << 1;
     QTest::addRow("slanted edges, a region over the border") << slantedPiece() << 2;
 }
 
@@ -220,9 +220,9 @@ void tst_RegionJoints::smallStrainsPullNoInnerNode() {
 void tst_RegionJoints::largeStrainsPullNoNodeWhereCellsAreAlike_data() {
     QTest::addColumn<pattern::Piece>("piece");
     QTest::addColumn<int>("refinement");
-    QTest::addRow("half the spacing in the middle") << sheet({middle(1)}) << 1;
-    QTest::addRow("a quarter, with a ring of halves") << sheet({middle(2)}) << 2;
-    QTest::addRow("a 64th on one cell") << sheet({box(9 * cell, 9 * cell, 10 * cell, 10 * cell, 6)}) << 6;
+    QTest::addRow("half the spacing in the middle") << sheetWith({middleBox(1)}) << 1;
+    QTest::addRow("a quarter, with a ring of halves") << sheetWith({middleBox(2)}) << 2;
+    QTest::addRow("a 64th on one cell") << sheetWith({boxAt(9 * cell, 9 * cell, 10 * cell, 10 * cell, 6)}) << 6;
 }
 
 void tst_RegionJoints::largeStrainsPullNoNodeWhereCellsAreAlike() {
@@ -252,7 +252,7 @@ void tst_RegionJoints::aRolledSheetIsRoundAcrossItsJoints() {
     QFETCH(int, refinement);
     QFETCH(int, axis);
     constexpr double radius = 0.2;
-    Garment garment = garmentOf(sheet({middle(refinement)}));
+    Garment garment = garmentOf(sheetWith({middleBox(refinement)}));
     const std::vector<Vec2> material = materialOf(garment);
     dynamics::ParticleState state;
     for (int p = 0; p < static_cast<int>(material.size()); ++p) {
@@ -285,19 +285,19 @@ void tst_RegionJoints::aRolledSheetIsRoundAcrossItsJoints() {
 void tst_RegionJoints::theFirstModeIsThatOfTheUniformFineMesh_data() {
     QTest::addColumn<pattern::Piece>("piece");
     QTest::addColumn<int>("refinement");
-    QTest::addRow("half the spacing in the middle") << sheet({middle(1)}) << 1;
-    QTest::addRow("half the spacing in a corner") << sheet({box(2 * cell, 2 * cell, 8 * cell, 8 * cell, 1)}) << 1;
-    QTest::addRow("a quarter, with a ring of halves") << sheet({middle(2)}) << 2;
+    QTest::addRow("half the spacing in the middle") << sheetWith({middleBox(1)}) << 1;
+    QTest::addRow("half the spacing in a corner") << sheetWith({boxAt(2 * cell, 2 * cell, 8 * cell, 8 * cell, 1)}) << 1;
+    QTest::addRow("a quarter, with a ring of halves") << sheetWith({middleBox(2)}) << 2;
 }
 
 void tst_RegionJoints::theFirstModeIsThatOfTheUniformFineMesh() {
     QFETCH(pattern::Piece, piece);
     QFETCH(int, refinement);
     const double regions = firstMode(garmentOf(piece)),
-                 fine = firstMode(garmentOf(sheet({}, std::ldexp(spacing, -refinement))));
+                 fine = firstMode(garmentOf(sheetWith({}, std::ldexp(spacing, -refinement))));
     qInfo("first mode %.4f Hz, of the uniform fine mesh %.4f Hz", regions, fine);
     QVERIFY(std::abs(regions / fine - 1) < 0.01);
 }
 
-QTEST_APPLESS_MAIN(tst_RegionJoints)
+TOILE_TEST(tst_RegionJoints)
 #include "tst_RegionJoints.moc"

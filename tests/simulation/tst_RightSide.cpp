@@ -3,6 +3,7 @@
 
 #include "core/collision/Intersections.h"
 #include "core/simulation/RightSide.h"
+#include "tests/Suite.h"
 #include "tests/simulation/Tubes.h"
 
 #include <random>
@@ -13,11 +14,11 @@ using geometry::TriangleMesh;
 
 namespace {
 
-constexpr int around = 24;
+constexpr int pointsAround = 24;
 
 TriangleMesh tube(double low = 0.6, double high = 1.0, double radius = 0.13) {
     std::vector<std::vector<Vec3>> rings;
-    for (int r = 0; r <= 8; ++r) rings.push_back(tubes::ring({0, low + (high - low) * r / 8, 0}, radius, around));
+    for (int r = 0; r <= 8; ++r) rings.push_back(tubes::ring({0, low + (high - low) * r / 8, 0}, radius, pointsAround));
     return tubes::throughRings(rings);
 }
 
@@ -135,7 +136,7 @@ void tst_RightSide::foldsHoweverDeepAreRightSideOut() {
 
 void tst_RightSide::aPleatRoundTheTubeIsRightSideOut() {
     // From the waist down to 0.6 m, up again to 0.8 m outside of that, and down to 0.5 m: three layers.
-    const auto at = [](double height, double radius) { return tubes::ring({0, height, 0}, radius, around); };
+    const auto at = [](double height, double radius) { return tubes::ring({0, height, 0}, radius, pointsAround); };
     const TriangleMesh mesh =
         tubes::throughRings({at(0.5, 0.15), at(0.8, 0.15), at(0.6, 0.14), at(0.6, 0.13), at(1, 0.13)});
     QVERIFY(shareFacingAway(mesh) < 0.8);
@@ -146,9 +147,9 @@ void tst_RightSide::aPleatRoundTheTubeIsRightSideOut() {
 void tst_RightSide::aCollarTurnedDownIsRightSideOut() {
     constexpr double top = 1.0, radius = 0.07;
     std::vector<std::vector<Vec3>> rings;
-    for (int r = 0; r <= 8; ++r) rings.push_back(tubes::ring({0, 0.6 + (top - 0.6) * r / 8, 0}, radius, around));
+    for (int r = 0; r <= 8; ++r) rings.push_back(tubes::ring({0, 0.6 + (top - 0.6) * r / 8, 0}, radius, pointsAround));
     for (int r = 1; r <= 5; ++r)
-        rings.push_back(tubes::ring({0, top - 0.01 * r, 0}, radius + 0.003 + 0.001 * r, around));
+        rings.push_back(tubes::ring({0, top - 0.01 * r, 0}, radius + 0.003 + 0.001 * r, pointsAround));
     TriangleMesh mesh = tubes::throughRings(rings);
     QCOMPARE(shareOf(mesh), 1.0);
     turnOver(mesh, 0, mesh.triangles.size());
@@ -158,7 +159,7 @@ void tst_RightSide::aCollarTurnedDownIsRightSideOut() {
 void tst_RightSide::aPanelSewnInTurnedIsItsShare() {
     for (const std::size_t quarters : {1U, 2U, 3U}) {
         TriangleMesh mesh = tube();
-        const std::size_t row = 2 * around;
+        const std::size_t row = 2 * pointsAround;
         for (std::size_t r = 0; r < 8; ++r) turnOver(mesh, r * row, r * row + quarters * row / 4);
         QVERIFY(std::abs(shareOf(mesh) - (1 - 0.25 * static_cast<double>(quarters))) < 1e-12);
     }
@@ -242,5 +243,5 @@ void tst_RightSide::degenerateTrianglesCountForNothing() {
     QCOMPARE(rightSideOutShare({}, {}), 0.0);
 }
 
-QTEST_APPLESS_MAIN(tst_RightSide)
+TOILE_TEST(tst_RightSide)
 #include "tst_RightSide.moc"

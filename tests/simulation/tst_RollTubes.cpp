@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/body/Arrangement.h"
-#include "core/body/Mannequin.h"
 #include "core/pattern/PatternMeasures.h"
 #include "core/simulation/Clearing.h"
 #include "core/simulation/RollTubes.h"
+#include "tests/Suite.h"
+#include "tests/simulation/UsualBody.h"
 
 #include <QTest>
 
@@ -13,18 +14,13 @@ using namespace toile::simulation;
 
 namespace {
 
-const body::Body& usual() {
-    static const body::Body made = body::makeMannequin({})->body;
-    return made;
-}
-
 const collision::BodySurface& surface() {
-    static const collision::BodySurface made = std::move(*collision::BodySurface::create(usual().mesh));
+    static const collision::BodySurface made = std::move(*collision::BodySurface::create(usualBody().mesh));
     return made;
 }
 
 const geometry::Polyline& arm() {
-    static const geometry::Polyline line = *body::limbLine(usual(), body::Limb::leftArm);
+    static const geometry::Polyline line = *body::limbLine(usualBody(), body::Limb::leftArm);
     return line;
 }
 
@@ -66,7 +62,7 @@ pattern::Pattern sleeveAndArmhole() {
 }
 
 pattern::Pattern rolledOnly(const pattern::Pattern& pattern) {
-    return rolledRound(pattern, flatTubesOf(pattern, usual()), surface());
+    return rolledRound(pattern, flatTubesOf(pattern, usualBody()), surface());
 }
 
 double longestGap(const pattern::Pattern& pattern, const pattern::Seam& seam) {
@@ -117,13 +113,13 @@ void tst_RollTubes::aSleeveIsRolledRoundItsArm() {
 void tst_RollTubes::aPieceThatIsNotSewnToItselfStaysFlat() {
     pattern::Pattern pattern = sleeveAndArmhole();
     pattern.seams.clear();
-    QVERIFY(flatTubesOf(pattern, usual()).empty());
+    QVERIFY(flatTubesOf(pattern, usualBody()).empty());
 }
 
 void tst_RollTubes::aDartMakesNoTube() {
     pattern::Pattern pattern = sleeveAndArmhole();
     pattern.seams = {seamBetween("dart", "sleeve", "e0", "sleeve", "e1")}; // they share a corner
-    QVERIFY(flatTubesOf(pattern, usual()).empty());
+    QVERIFY(flatTubesOf(pattern, usualBody()).empty());
 }
 
 void tst_RollTubes::itsSeamsAreAsShortAsTheyCanBe() {
@@ -173,5 +169,5 @@ void tst_RollTubes::aSleeveOverTheHandIsClosedLast() {
     QCOMPARE(arranged.seams[1].order, 0);
 }
 
-QTEST_APPLESS_MAIN(tst_RollTubes)
+TOILE_TEST(tst_RollTubes)
 #include "tst_RollTubes.moc"

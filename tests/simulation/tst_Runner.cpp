@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RunnerFixture.h"
 #include "core/simulation/SceneCheck.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <limits>
@@ -324,5 +325,5 @@ void tst_Runner::fiveHundredEditsWhileItSews() {
     for (const Vec3& p : frame->positions) QVERIFY(geometry::isFinite(p));
 }
 
-QTEST_GUILESS_MAIN(tst_Runner)
+TOILE_TEST(tst_Runner, QCoreApplication)
 #include "tst_Runner.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RunnerFixture.h"
+#include "tests/Suite.h"
 
 using namespace toile;
 using namespace toile::simulation;
@@ -116,5 +117,5 @@ void tst_RunnerFinish::everyOrderStopsStatics() {
         QVERIFY(stopped->positions == rested->positions); // where it rested, not on the way
 }
 
-QTEST_GUILESS_MAIN(tst_RunnerFinish)
+TOILE_TEST(tst_RunnerFinish, QCoreApplication)
 #include "tst_RunnerFinish.moc"

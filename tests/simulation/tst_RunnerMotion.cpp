@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RunnerFixture.h"
+#include "tests/Suite.h"
 
 using namespace toile;
 using namespace toile::simulation;
@@ -154,5 +155,5 @@ void tst_RunnerMotion::aMethodWaitsUntilTheBodyStandsStill() {
     QVERIFY(refused && refused->message.find("by xpbd alone") != std::string::npos);
 }
 
-QTEST_GUILESS_MAIN(tst_RunnerMotion)
+TOILE_TEST(tst_RunnerMotion, QCoreApplication)
 #include "tst_RunnerMotion.moc"

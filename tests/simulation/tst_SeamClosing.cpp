@@ -2,6 +2,7 @@
 #include "SmallScenes.h"
 #include "core/simulation/SeamClosing.h"
 #include "core/simulation/Sew.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <array>
@@ -150,5 +151,5 @@ void tst_SeamClosing::sewingIsBitwiseRepeatable() {
     QCOMPARE(hashes[0], hashes[1]);
 }
 
-QTEST_APPLESS_MAIN(tst_SeamClosing)
+TOILE_TEST(tst_SeamClosing)
 #include "tst_SeamClosing.moc"

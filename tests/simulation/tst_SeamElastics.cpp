@@ -3,9 +3,9 @@
 #include "core/dynamics/Method.h"
 #include "core/dynamics/Statics.h"
 #include "core/simulation/Checkpoint.h"
-#include "core/simulation/Garment.h"
-#include "core/simulation/MeshInputOf.h"
 #include "core/simulation/Topology.h"
+#include "tests/Suite.h"
+#include "tests/simulation/Garments.h"
 #include "tests/simulation/Sewn.h"
 
 #include <QTest>
@@ -16,25 +16,21 @@ using dynamics::Method;
 
 namespace {
 
-constexpr double length = 0.2, cell = 0.02; // of the strips' seam, of their cells [m]
+constexpr double stripLength = 0.2, stripWidth = 0.02; // along the seam, across it: one cell [m]
 
 pattern::Pattern withElastic(pattern::Pattern pattern, pattern::Elastic elastic) {
     pattern.seams[0].elastic = elastic;
     return pattern;
 }
 
-Garment garmentOf(const pattern::Pattern& pattern, bool sewn, bool paper = false) {
-    auto mesh = meshing::meshGarment(*meshInputOf(pattern));
-    return *makeGarment(pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), {sewn}, paper);
-}
-
 /// Two strips of one row of cells, sewn along their warp by the ends that face each other.
 pattern::Pattern strips(const material::Fabric& fabric) {
     pattern::Pattern pattern;
     pattern.fabrics.push_back(fabric);
-    for (const double left : {-cell, 0.0}) {
+    for (const double left : {-stripWidth, 0.0}) {
         pattern::Piece piece =
-            polygonPiece(left < 0 ? "left" : "right", {{0, 0}, {cell, 0}, {cell, length}, {0, length}}, cell);
+            polygonPiece(left < 0 ? "left" : "right",
+                         {{0, 0}, {stripWidth, 0}, {stripWidth, stripLength}, {0, stripLength}}, stripWidth);
         piece.placement = pattern::Placement{};
         piece.placement->transform.origin = {left, 0, 0};
         pattern.pieces.push_back(std::move(piece));
@@ -126,7 +122,7 @@ private slots:
         const pattern::Pattern pattern = withElastic(strips(fabric), {ratio, stiffness});
         const Garment garment = garmentOf(pattern, true);
         dynamics::ParticleState state = placedState(pattern, garment);
-        QVERIFY(std::abs(seamLength(garment, state.positions) - length) < 1e-12);
+        QVERIFY(std::abs(seamLength(garment, state.positions) - stripLength) < 1e-12);
         if (method == "statics") {
             const auto report = dynamics::solveStatic(garment.model, state, {}, {}, {.tolerance = 1e-6});
             QVERIFY(report && report->newton.converged);
@@ -136,10 +132,10 @@ private slots:
                                                              garment.model, {.damping = 5, .substeps = finest});
             for (int step = 0; step < 240; ++step) QVERIFY(integrator->step(state, 1.0 / 60, {}));
         }
-        const double cloth = fabric.warpStiffness * cell;
-        const double expected = length * (stiffness + cloth) / (stiffness / ratio + cloth);
+        const double cloth = fabric.warpStiffness * stripWidth;
+        const double expected = stripLength * (stiffness + cloth) / (stiffness / ratio + cloth);
         // The weft draws at the seam with 1/5000 of the warp's stiffness.
-        QVERIFY2(std::abs(seamLength(garment, state.positions) - expected) < 3e-4 * length,
+        QVERIFY2(std::abs(seamLength(garment, state.positions) - expected) < 3e-4 * stripLength,
                  qPrintable(QStringLiteral("%1 m, not %2 m")
                                 .arg(seamLength(garment, state.positions), 0, 'g', 8)
                                 .arg(expected, 0, 'g', 8)));
@@ -182,5 +178,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_SeamElastics)
+TOILE_TEST(tst_SeamElastics, QCoreApplication)
 #include "tst_SeamElastics.moc"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
-#include "core/simulation/Garment.h"
-#include "core/simulation/MeshInputOf.h"
+#include "tests/Suite.h"
+#include "tests/simulation/Garments.h"
 
 #include <QTest>
 #include <numbers>
@@ -14,12 +14,6 @@ namespace {
 pattern::Pattern squares() {
     return twoSquares(0.05).pattern;
 } // four cells along the seam
-
-/// The two squares with their seam merged at once.
-Garment sewn(const pattern::Pattern& pattern) {
-    auto mesh = meshing::meshGarment(*meshInputOf(pattern));
-    return *makeGarment(pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), {true});
-}
 
 std::size_t cellsAlongTheSeam(const Garment& garment) {
     return garment.mesh->seams[0].pairs.size() - 1;
@@ -41,33 +35,32 @@ private slots:
 };
 
 void tst_SeamHinges::anOpenSeamHasNone() {
-    const pattern::Pattern pattern = squares();
-    auto mesh = meshing::meshGarment(*meshInputOf(pattern));
-    const auto garment = makeGarment(pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), {false});
+    const auto garment = tryGarmentOf(squares());
     QVERIFY(garment);
     QVERIFY(garment->model.hinges.empty());
 }
 
 void tst_SeamHinges::everyEdgeOfAMergedSeamHasTwo() { // between two rectangles: one at each end of the edge
-    const Garment garment = sewn(squares());
+    const Garment garment = garmentOf(squares(), true);
     QCOMPARE(cellsAlongTheSeam(garment), std::size_t(4));
     QCOMPARE(garment.model.hinges.size(), 2 * cellsAlongTheSeam(garment));
 }
 
 void tst_SeamHinges::flatSquaresAreAtRest() {
-    for (const cloth::Hinge& hinge : sewn(squares()).model.hinges) QCOMPARE(hinge.restAngle, 0.0);
+    for (const cloth::Hinge& hinge : garmentOf(squares(), true).model.hinges) QCOMPARE(hinge.restAngle, 0.0);
 }
 
 void tst_SeamHinges::theFoldAngleIsTheRestAngle() {
     pattern::Pattern pattern = squares();
     pattern.seams[0].foldAngle = std::numbers::pi / 2;
-    for (const cloth::Hinge& hinge : sewn(pattern).model.hinges) QCOMPARE(hinge.restAngle, std::numbers::pi / 2);
+    for (const cloth::Hinge& hinge : garmentOf(pattern, true).model.hinges)
+        QCOMPARE(hinge.restAngle, std::numbers::pi / 2);
 }
 
 void tst_SeamHinges::theFactorMultipliesTheStiffness() {
     pattern::Pattern stiff = squares();
     stiff.seams[0].stiffnessFactor = 3;
-    const Garment plain = sewn(squares()), stiffened = sewn(stiff);
+    const Garment plain = garmentOf(squares(), true), stiffened = garmentOf(stiff, true);
     QCOMPARE(stiffened.model.hinges.size(), plain.model.hinges.size());
     for (std::size_t i = 0; i < plain.model.hinges.size(); ++i)
         QVERIFY(std::abs(stiffened.model.hinges[i].stiffness / plain.model.hinges[i].stiffness - 3) < 1e-12);
@@ -76,7 +69,7 @@ void tst_SeamHinges::theFactorMultipliesTheStiffness() {
 void tst_SeamHinges::togetherTheyBendAsTheClothDoes() {
     // A fold by θ between cells of width w is the curvature θ/w over the length e: E = ½ B e θ²/w, so Σk = B·e/w.
     const pattern::Pattern pattern = squares();
-    const Garment garment = sewn(pattern);
+    const Garment garment = garmentOf(pattern, true);
     double sum = 0;
     for (const cloth::Hinge& hinge : garment.model.hinges) sum += hinge.stiffness;
     const double length = 0.2, width = 0.2 / 4;
@@ -86,7 +79,7 @@ void tst_SeamHinges::togetherTheyBendAsTheClothDoes() {
 void tst_SeamHinges::aSeamSewnTheWrongWayRoundHasNone() {
     pattern::Pattern pattern = squares();
     pattern.seams[0].sides[1][0].reversed = !pattern.seams[0].sides[1][0].reversed;
-    QVERIFY(sewn(pattern).model.hinges.empty());
+    QVERIFY(garmentOf(pattern, true).model.hinges.empty());
 }
 
 void tst_SeamHinges::clothWithoutBendingStiffnessHasNone() {
@@ -94,8 +87,8 @@ void tst_SeamHinges::clothWithoutBendingStiffnessHasNone() {
     material::Fabric fabric = *pattern.fabrics[0];
     fabric.warpBending = fabric.weftBending = fabric.biasBending = 0;
     pattern.fabrics[0] = fabric;
-    QVERIFY(sewn(pattern).model.hinges.empty());
+    QVERIFY(garmentOf(pattern, true).model.hinges.empty());
 }
 
-QTEST_APPLESS_MAIN(tst_SeamHinges)
+TOILE_TEST(tst_SeamHinges)
 #include "tst_SeamHinges.moc"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
-#include "core/simulation/MeshInputOf.h"
 #include "core/simulation/SelfContactOf.h"
+#include "tests/Suite.h"
+#include "tests/simulation/Garments.h"
 
 #include <QTest>
 #include <map>
@@ -9,24 +10,13 @@
 using namespace toile;
 using namespace toile::simulation;
 
-namespace {
-
-Garment garmentOf(const pattern::Pattern& pattern, const MeshOverrides& overrides, bool merged) {
-    const auto input = meshInputOf(pattern, overrides);
-    auto mesh = meshing::meshGarment(*input);
-    std::vector<bool> seams(mesh->seams.size(), merged);
-    return *makeGarment(pattern, Shared<meshing::GarmentMesh>(std::move(*mesh)), std::move(seams));
-}
-
-} // namespace
-
 /// The cloth of a garment as a surface that keeps its layers apart.
 class tst_SelfContactOf : public QObject {
     Q_OBJECT
 private slots:
     void onlyWhatAnOpenSeamJoinsBecomesOne() {
         const Scene scene = twoSquares(0.02);
-        const Garment garment = garmentOf(scene.pattern, {}, false);
+        const Garment garment = garmentOf(scene.pattern);
         const std::vector<int> becomes = clothSurfaceOf(scene, garment).becomes;
         QCOMPARE(static_cast<int>(becomes.size()), garment.particles.particleCount);
         std::map<int, std::vector<int>> joined;
@@ -40,9 +30,9 @@ private slots:
 
     void nothingIsLetThroughInWhatIsSewn() {
         const Scene scene = twoSquares(0.02);
-        QVERIFY(clothSurfaceOf(scene, garmentOf(scene.pattern, {}, true)).becomes.empty());
+        QVERIFY(clothSurfaceOf(scene, garmentOf(scene.pattern, true)).becomes.empty());
     }
 };
 
-QTEST_GUILESS_MAIN(tst_SelfContactOf)
+TOILE_TEST(tst_SelfContactOf, QCoreApplication)
 #include "tst_SelfContactOf.moc"

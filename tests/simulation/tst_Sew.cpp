@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/simulation/SceneMemory.h"
+#include "tests/Suite.h"
 #include "tests/simulation/Sewn.h"
 
 #include <QTest>
@@ -256,5 +257,5 @@ void tst_Sew::cellsThatCutTheBodyAreWarnedOf() {
     QCOMPARE(warned(report), 1);
 }
 
-QTEST_APPLESS_MAIN(tst_Sew)
+TOILE_TEST(tst_Sew)
 #include "tst_Sew.moc"

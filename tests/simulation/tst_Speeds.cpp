@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Speeds.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -54,5 +55,5 @@ void tst_Speeds::aSleeveThatSwingsIsOne() {
     QVERIFY(!speedsWith(5000, 50, 0.006).areOfRest()); // a hundredth of it
 }
 
-QTEST_APPLESS_MAIN(tst_Speeds)
+TOILE_TEST(tst_Speeds)
 #include "tst_Speeds.moc"

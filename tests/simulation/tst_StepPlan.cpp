@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/simulation/Simulation.h"
+#include "tests/Suite.h"
 #include "tests/dynamics/DenseSink.h"
 
 #include <QTest>
@@ -284,5 +285,5 @@ void tst_StepPlan::noTimeIsCountedOffTheClock() {
     QVERIFY(seconds() > 0);
 }
 
-QTEST_APPLESS_MAIN(tst_StepPlan)
+TOILE_TEST(tst_StepPlan)
 #include "tst_StepPlan.moc"

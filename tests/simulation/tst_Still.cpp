@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Warnings.h"
+#include "tests/Suite.h"
 #include "tests/simulation/Sewn.h"
 #include "tests/simulation/SmallScenes.h"
 
@@ -159,5 +160,5 @@ void tst_Still::clothThatFallsIsNot() {
     QCOMPARE(report.phases.front().unsolvedSteps, 0);
 }
 
-QTEST_APPLESS_MAIN(tst_Still)
+TOILE_TEST(tst_Still)
 #include "tst_Still.moc"

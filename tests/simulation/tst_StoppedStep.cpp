@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/simulation/SceneCheck.h"
+#include "tests/Suite.h"
 #include "tests/simulation/Sewn.h"
 
 #include <QTest>
@@ -72,5 +73,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_StoppedStep)
+TOILE_TEST(tst_StoppedStep, QCoreApplication)
 #include "tst_StoppedStep.moc"

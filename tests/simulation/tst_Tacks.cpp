@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/pattern/PatternTacks.h"
+#include "tests/Suite.h"
 #include "tests/dynamics/DenseSink.h"
 #include "tests/simulation/Sewn.h"
 
@@ -12,7 +13,7 @@ using namespace toile::simulation;
 
 namespace {
 
-constexpr double side = 0.2; // of the squares [m]
+constexpr double squareSide = 0.2; // of the squares [m]
 
 /// Two squares that face each other, the right one 50 mm in front, held by their upper corners; nothing is sewn.
 Scene twoCurtains(double spacing = 0.02) {
@@ -43,10 +44,6 @@ Scene buttoned(double spacing = 0.02) {
     Scene scene = twoCurtains(spacing);
     scene.pattern.tacks = {tackAt({0.1037, 0.0471}, {0.1037, 0.0471})};
     return scene;
-}
-
-void run(Simulation& simulation, int frames) {
-    for (int i = 0; i < frames; ++i) QVERIFY(simulation.advance());
 }
 
 /// Four particles, two on either end of a thread of 10 mm that is taut by `gap`.
@@ -111,7 +108,7 @@ private slots:
 void tst_Tacks::aPlaceIsABlendOfTheNodesRoundIt() {
     const Simulation simulation = simulationOf(twoSquares(0.03));
     const meshing::GarmentMesh& mesh = *simulation.garment().mesh;
-    for (const Vec2 point : {Vec2{0.0371, 0.1113}, Vec2{0, 0}, Vec2{side, 0.05}, Vec2{0.06, 0.06}}) {
+    for (const Vec2 point : {Vec2{0.0371, 0.1113}, Vec2{0, 0}, Vec2{squareSide, 0.05}, Vec2{0.06, 0.06}}) {
         const MeshPoint place = meshPointAt(mesh, 1, point);
         Vec2 blend;
         double weights = 0;
@@ -128,10 +125,10 @@ void tst_Tacks::aPlaceIsABlendOfTheNodesRoundIt() {
 void tst_Tacks::aPlaceBeyondTheMeshIsAtItsBorder() {
     const Simulation simulation = simulationOf(twoSquares(0.03));
     const meshing::GarmentMesh& mesh = *simulation.garment().mesh;
-    const MeshPoint place = meshPointAt(mesh, 0, {side + 0.01, 0.07});
+    const MeshPoint place = meshPointAt(mesh, 0, {squareSide + 0.01, 0.07});
     Vec2 blend;
     for (std::size_t k = 0; k < 3; ++k) blend += place.weights[k] * mesh.pieces[0].nodes[place.nodes[k]];
-    QVERIFY(distance(blend, {side, 0.07}) < 1e-12);
+    QVERIFY(distance(blend, {squareSide, 0.07}) < 1e-12);
 }
 
 void tst_Tacks::theForceIsTheSlopeOfTheEnergy_data() {
@@ -263,7 +260,7 @@ void tst_Tacks::aTackHoldsTheWeightOfAFallenSheet() {
     scene.pattern.tacks = {tackAt({0.1, 0.1537}, {0.1, 0.1537})};
     const SewReport report = sewn(scene);
     QVERIFY(report.tacks[0].closed && report.atRest);
-    const double weight = 0.15 * side * side * 9.81; // [N]
+    const double weight = 0.15 * squareSide * squareSide * 9.81; // [N]
     const double wanted = weight / TackSettings{}.stiffness;
     QVERIFY2(std::abs(report.tacks[0].gap - wanted) < 0.02 * wanted, qPrintable(QString::number(report.tacks[0].gap)));
 }
@@ -344,7 +341,7 @@ void tst_Tacks::aBlockedTackStaysOpenAndIsNamed() {
 
 void tst_Tacks::aTackBesideItsPieceIsRefusedByName() {
     Scene beside = buttoned(), nowhere = buttoned();
-    beside.pattern.tacks[0].ends[1].point.x += side;
+    beside.pattern.tacks[0].ends[1].point.x += squareSide;
     nowhere.pattern.tacks[0].ends[0].piece = pattern::PieceId("collar");
     for (const Scene& scene : {beside, nowhere}) {
         const auto refused = Simulation::create(scene);
@@ -371,5 +368,5 @@ void tst_Tacks::thePaperHasNoTacks() {
     QVERIFY(std::ranges::count(simulation.plan().leftOut(), "tacks", &LeftOut::stage) == 1);
 }
 
-QTEST_APPLESS_MAIN(tst_Tacks)
+TOILE_TEST(tst_Tacks)
 #include "tst_Tacks.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/simulation/Simulation.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <algorithm>
@@ -79,5 +80,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Threads)
+TOILE_TEST(tst_Threads)
 #include "tst_Threads.moc"

@@ -2,6 +2,7 @@
 #include "SmallScenes.h"
 #include "core/simulation/Clearing.h"
 #include "core/simulation/TubePlacing.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <cmath>
@@ -201,5 +202,5 @@ void tst_TubePlacing::beyondTheWristATubeIsMovedUp() {
     QVERIFY(placeOf(*clearRound(line, whole, place, points, limb)) > whole); // it would not: down
 }
 
-QTEST_APPLESS_MAIN(tst_TubePlacing)
+TOILE_TEST(tst_TubePlacing)
 #include "tst_TubePlacing.moc"

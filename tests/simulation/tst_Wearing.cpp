@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Wearing.h"
+#include "tests/Suite.h"
 #include "tests/simulation/Sewn.h"
 #include "tests/simulation/SmallScenes.h"
 
@@ -130,5 +131,5 @@ void tst_Wearing::cancelledMotionsStop() {
     QVERIFY(report.error().code == ErrorCode::cancelled);
 }
 
-QTEST_APPLESS_MAIN(tst_Wearing)
+TOILE_TEST(tst_Wearing)
 #include "tst_Wearing.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/collision/BodySurface.h"
 #include "core/simulation/Worn.h"
+#include "tests/Suite.h"
 #include "tests/simulation/Tubes.h"
 
 #include <QTest>
@@ -346,5 +347,5 @@ void tst_Worn::cornersOfAHemThatHangsFreeAreNoLandmarks() {
     QVERIFY(std::abs(*verdictOn(free).symmetryDifference - 0.01) < 0.001);
 }
 
-QTEST_APPLESS_MAIN(tst_Worn)
+TOILE_TEST(tst_Worn)
 #include "tst_Worn.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/AccuracyRecords.h"
 #include "core/study/AccuracyReport.h"
+#include "tests/Suite.h"
+#include "tests/study/Reports.h"
 
 #include <QTest>
 #include <cmath>
@@ -25,8 +27,6 @@ study::CaseResult studiedCase(const std::vector<Setup>& setups) {
     if (!result) qFatal("%s", toString(result.error()).c_str());
     return std::move(*result);
 }
-
-const study::Circumstances here{"toile-cli 0 (test)", "toile-cli study accuracy", "a processor", 0.004};
 
 } // namespace
 
@@ -177,5 +177,5 @@ void tst_Accuracy::aResultIsReadFromItsRecords() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_Accuracy)
+TOILE_TEST(tst_Accuracy)
 #include "tst_Accuracy.moc"

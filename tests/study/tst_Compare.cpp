@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/Compare.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -189,5 +190,5 @@ void tst_Compare::differentStudiesAreNotCompared() {
     QVERIFY(!study::compared({nameless}, {nameless}));
 }
 
-QTEST_APPLESS_MAIN(tst_Compare)
+TOILE_TEST(tst_Compare)
 #include "tst_Compare.moc"

@@ -2,6 +2,7 @@
 #include "core/simulation/Sew.h"
 #include "core/study/Deformation.h"
 #include "samples/SmallScenes.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <cmath>
@@ -11,7 +12,7 @@ using namespace toile;
 namespace {
 
 /// A flat sheet of 0.4 m, half of it a finer region.
-simulation::Scene sheet() {
+simulation::Scene halfFineSheet() {
     const auto document = samples::squareSheet(samples::SheetPins::oneEdge, 0.4, 0.02);
     simulation::Scene scene{document.pattern, {}, document.scene};
     pattern::Piece piece = *scene.pattern.pieces[0];
@@ -36,7 +37,7 @@ private slots:
 };
 
 void tst_Deformation::aSheetThatStartsFlatIsNotDeformed() {
-    const auto simulation = simulation::Simulation::create(sheet());
+    const auto simulation = simulation::Simulation::create(halfFineSheet());
     QVERIFY(simulation);
     double area = 0;
     for (const auto& part : study::deformationOf(*simulation, simulation->scene().pattern)) {
@@ -78,5 +79,5 @@ void tst_Deformation::thePartsSayWhetherTheRegionsLieRight() {
     QVERIFY(study::deformationText({rest}).find("finer") == std::string::npos); // nothing to compare
 }
 
-QTEST_APPLESS_MAIN(tst_Deformation)
+TOILE_TEST(tst_Deformation)
 #include "tst_Deformation.moc"

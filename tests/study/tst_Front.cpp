@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/Front.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 #include <cmath>
@@ -42,5 +43,5 @@ void tst_Front::betweenPointsTheCostIsReadAlongTheFront() {
     QVERIFY(std::isnan(study::costOf(0.001, points)));
 }
 
-QTEST_APPLESS_MAIN(tst_Front)
+TOILE_TEST(tst_Front)
 #include "tst_Front.moc"

@@ -2,6 +2,8 @@
 #include "core/study/GarmentRecords.h"
 #include "core/study/GarmentReport.h"
 #include "samples/SmallScenes.h"
+#include "tests/Suite.h"
+#include "tests/study/Reports.h"
 
 #include <QTest>
 #include <cmath>
@@ -34,12 +36,6 @@ study::GarmentAccuracy studyOf(std::vector<GarmentRun> runs) {
     study.runs = std::move(runs);
     return study;
 }
-
-bool says(const std::string& text, const std::string& what) {
-    return text.find(what) != std::string::npos;
-}
-
-const study::Circumstances here{"toile-cli 0 (test)", "toile-cli study accuracy", "a processor", 0.004};
 
 } // namespace
 
@@ -264,5 +260,5 @@ void tst_GarmentAccuracy::aStudyGoesOnWithTheDrapesThatWereKept() {
     QVERIFY(!study::goFrom(Json("no go")));
 }
 
-QTEST_APPLESS_MAIN(tst_GarmentAccuracy)
+TOILE_TEST(tst_GarmentAccuracy)
 #include "tst_GarmentAccuracy.moc"

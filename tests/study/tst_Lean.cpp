@@ -3,6 +3,8 @@
 #include "core/study/lean/Records.h"
 #include "core/study/lean/Report.h"
 #include "core/study/validation/Pieces.h"
+#include "tests/Suite.h"
+#include "tests/study/Reports.h"
 
 #include <QTest>
 #include <algorithm>
@@ -23,10 +25,6 @@ FeatureResult resultOf(const Feature& feature, const LeanSettings& settings = br
     auto result = studied(feature, settings);
     if (!result) qFatal("%s", toString(result.error()).c_str());
     return std::move(*result);
-}
-
-bool says(const std::string& text, const char* what) {
-    return text.find(what) != std::string::npos;
 }
 
 } // namespace
@@ -55,7 +53,7 @@ void tst_Lean::whatIsNotNeededCostsNothing_data() {
 void tst_Lean::whatIsNotNeededCostsNothing() {
     QFETCH(int, index);
     const FeatureResult result = resultOf(allFeatures(true)[static_cast<std::size_t>(index)]);
-    for (const Row& row : result.rows)
+    for (const study::lean::Row& row : result.rows)
         QVERIFY2(row.why.empty(), (std::string(nameOf(row.role)) + ", " + row.what + ": " + row.why).c_str());
 }
 
@@ -130,7 +128,7 @@ void tst_Lean::aResultIsReadFromItsRecords() {
     Feature feature = featureNamed("body contact");
     feature.variants[1].role = Role::unused; // a row that fails
     FeatureResult result = resultOf(feature);
-    for (Row& row : result.rows) row.taken.instructions = 123456;
+    for (study::lean::Row& row : result.rows) row.taken.instructions = 123456;
     result.rows[0].taken.frame = {1, 2, true};
     const auto written = recordsOf(result, {});
     QVERIFY(*written[0].find("cost")->find("noisy")->asBool());
@@ -149,5 +147,5 @@ void tst_Lean::aResultIsReadFromItsRecords() {
     }
 }
 
-QTEST_APPLESS_MAIN(tst_Lean)
+TOILE_TEST(tst_Lean)
 #include "tst_Lean.moc"

@@ -2,6 +2,7 @@
 #include "core/simulation/Sew.h"
 #include "core/study/Quantities.h"
 #include "samples/SmallScenes.h"
+#include "tests/Suite.h"
 #include "tests/simulation/Tubes.h"
 
 #include <QTest>
@@ -275,5 +276,5 @@ void tst_Quantities::strainIsThatOfTheHoop() {
     QVERIFY(std::abs(valueOf(all, "shear")) < 0.002);
 }
 
-QTEST_APPLESS_MAIN(tst_Quantities)
+TOILE_TEST(tst_Quantities)
 #include "tst_Quantities.moc"

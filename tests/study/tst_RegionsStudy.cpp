@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/RegionsReport.h"
 #include "samples/SmallScenes.h"
+#include "tests/Suite.h"
+#include "tests/study/Reports.h"
 
 #include <QTest>
 #include <algorithm>
@@ -39,10 +41,6 @@ RegionsStudy madeUp(double coarse, double regions, double equal, double fine, do
         study.layouts.back().rms = rms;
     }
     return study;
-}
-
-bool says(const std::string& text, const char* what) {
-    return text.find(what) != std::string::npos;
 }
 
 } // namespace
@@ -162,5 +160,5 @@ void tst_RegionsStudy::noisyTimesAreNotCompared() {
     QVERIFY(says(study::verdictOn(study), "Here the regions pay."));
 }
 
-QTEST_APPLESS_MAIN(tst_RegionsStudy)
+TOILE_TEST(tst_RegionsStudy)
 #include "tst_RegionsStudy.moc"

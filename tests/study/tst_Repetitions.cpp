@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/Repetitions.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -45,5 +46,5 @@ void tst_Repetitions::runsTakeTurnsUntilOneFails() {
     QCOMPARE(turns, std::string("ABCA"));
 }
 
-QTEST_APPLESS_MAIN(tst_Repetitions)
+TOILE_TEST(tst_Repetitions)
 #include "tst_Repetitions.moc"

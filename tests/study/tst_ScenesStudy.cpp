@@ -5,6 +5,7 @@
 #include "core/study/scenes/Report.h"
 #include "core/study/scenes/Sheets.h"
 #include "samples/BodyScenes.h"
+#include "tests/Suite.h"
 
 #include <algorithm>
 
@@ -13,13 +14,13 @@ using namespace toile::study::scenes;
 
 namespace {
 
-std::vector<Row> rowsOf(const Case& one) {
+std::vector<study::scenes::Row> rowsOf(const Case& one) {
     auto rows = one.run({.repetitions = 1});
     if (!rows) qFatal("%s", toString(rows.error()).c_str());
     return std::move(*rows);
 }
 
-double seenOf(const Row& row, const std::string& key) {
+double seenOf(const study::scenes::Row& row, const std::string& key) {
     const auto found = std::ranges::find(row.figures, key, &Figure::key);
     return found == row.figures.end() ? std::numeric_limits<double>::quiet_NaN() : found->seen;
 }
@@ -53,7 +54,7 @@ private slots:
 
 /// Folds of a cloth on a small ball, by the test that shares no code with the contact stages, after every frame.
 void tst_ScenesStudy::aFallingClothNeverMeetsItself() {
-    const std::vector<Row> rows = rowsOf(drapeCase(fallingCloth()));
+    const std::vector<study::scenes::Row> rows = rowsOf(drapeCase(fallingCloth()));
     QCOMPARE(rows.size(), std::size_t(1));
     QCOMPARE(seenOf(rows[0], "particles"), 2401.0);
     for (const char* key : {"particlesInside", "bodyIntersections", "selfIntersections"})
@@ -64,13 +65,13 @@ void tst_ScenesStudy::aFallingClothNeverMeetsItself() {
 void tst_ScenesStudy::withoutSelfContactItDoes() {
     DrapeScene falling = fallingCloth();
     falling.scene.settings.selfContact = false;
-    const std::vector<Row> rows = rowsOf(drapeCase(falling));
+    const std::vector<study::scenes::Row> rows = rowsOf(drapeCase(falling));
     QVERIFY(seenOf(rows[0], "selfIntersections") > 0);
     QVERIFY(!rows[0].reached());
 }
 
 void tst_ScenesStudy::rectanglesAreSewnOnACapsule() {
-    const std::vector<Row> rows = rowsOf(drapeCase(
+    const std::vector<study::scenes::Row> rows = rowsOf(drapeCase(
         {.name = "tunic", .scene = sceneOf(samples::capsuleTunic({.spacing = 0.02}), samples::capsuleMesh())}));
     for (const char* key : {"openSeams", "particlesInside", "bodyIntersections", "selfIntersections"})
         QCOMPARE(seenOf(rows[0], key), 0.0);
@@ -78,7 +79,7 @@ void tst_ScenesStudy::rectanglesAreSewnOnACapsule() {
 
 void tst_ScenesStudy::moreSubstepsAreNearer() {
     const Case small = hangingCase(8);
-    const std::vector<Row> rows = rowsOf(small);
+    const std::vector<study::scenes::Row> rows = rowsOf(small);
     QCOMPARE(rows.size(), small.runs.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         QCOMPARE(rows[i].what, small.runs[i]);
@@ -91,7 +92,7 @@ void tst_ScenesStudy::moreSubstepsAreNearer() {
 
 /// Errors do not depend on the machine: here they are held to those that the specification printed.
 void tst_ScenesStudy::theFlapStandsBesideThePrototype() {
-    for (const Row& row : rowsOf(flapCase(1))) {
+    for (const study::scenes::Row& row : rowsOf(flapCase(1))) {
         QVERIFY2(row.reached(), row.what.c_str());
         if (row.what.starts_with("TR-BDF2") || row.what.starts_with("XPBD")) QVERIFY(row.hasGoal());
     }
@@ -158,5 +159,5 @@ void tst_ScenesStudy::anOutcomeIsReadFromItsRecords() {
     QVERIFY(!written[2].find("verdict"));
 }
 
-QTEST_APPLESS_MAIN(tst_ScenesStudy)
+TOILE_TEST(tst_ScenesStudy)
 #include "tst_ScenesStudy.moc"

@@ -2,6 +2,7 @@
 #include "core/study/Storage.h"
 #include "samples/CircleSkirt.h"
 #include "samples/SmallScenes.h"
+#include "tests/Suite.h"
 
 #include <QTest>
 
@@ -87,5 +88,5 @@ void tst_Storage::theTextSaysWhatWasMeasured() {
         QVERIFY2(text.find(words) != std::string::npos, (std::string(words) + " is not in\n" + text).c_str());
 }
 
-QTEST_APPLESS_MAIN(tst_Storage)
+TOILE_TEST(tst_Storage)
 #include "tst_Storage.moc"

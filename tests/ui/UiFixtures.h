@@ -95,4 +95,6 @@ struct Hand {
     const pattern::Piece& piece(std::size_t i) const { return *document.pattern.pieces[i]; }
 };
 
+constexpr Modifiers shift{.shift = true};
+
 } // namespace toile::ui

@@ -2,6 +2,7 @@
 #include "UiFixtures.h"
 #include "WindowFixture.h"
 #include "core/pattern/PatternRegions.h"
+#include "tests/Suite.h"
 #include "ui/accuracy/AccuracyChart.h"
 #include "ui/accuracy/AccuracyPanel.h"
 #include "ui/accuracy/AccuracyTexts.h"
@@ -24,7 +25,7 @@ namespace {
 using dynamics::Method;
 
 /// Two rectangles; the front has a region of half the spacing.
-document::Document garment() {
+document::Document garmentWithRegion() {
     return *document::edited(twoRectangles(), [](const pattern::Pattern& p, pattern::IdSource& ids) {
         return addRegion(p, p.pieces[0]->id, {{-0.05, -0.05}, {0.05, -0.05}, {0, 0.05}}, "1", 1, ids);
     });
@@ -64,7 +65,7 @@ study::GarmentAccuracy madeStudy() {
 }
 
 /// The panel on a garment, with a study that the test makes.
-struct Fixture {
+struct PanelFixture {
     study::GarmentAccuracy made = madeStudy();
     QSemaphore mayEnd{1000}; ///< a study waits for one of them
     std::atomic<int> begun{0}, stopped{0};
@@ -72,13 +73,13 @@ struct Fixture {
     Workbench workbench;
     std::unique_ptr<AccuracyPanel> panel;
 
-    Fixture() : workbench(workbenchParts()) {
-        workbench.startFrom(garment(), {}, false);
+    PanelFixture() : workbench(workbenchParts()) {
+        workbench.startFrom(garmentWithRegion(), {}, false);
         panel = std::make_unique<AccuracyPanel>(workbench, parts());
         panel->resize(1100, 420);
         panel->show();
     }
-    ~Fixture() { mayEnd.release(1000); }
+    ~PanelFixture() { mayEnd.release(1000); }
 
     static WorkbenchParts workbenchParts() {
         WorkbenchParts parts;
@@ -151,7 +152,7 @@ private Q_SLOTS:
 };
 
 void tst_AccuracyPanel::theTablesAreTheStudys() {
-    Fixture f;
+    PanelFixture f;
     f.measure();
     auto* runs = f.find<QTableWidget>("accuracyRuns");
     QCOMPARE(runs->rowCount(), 7);
@@ -176,7 +177,7 @@ void tst_AccuracyPanel::theTablesAreTheStudys() {
 }
 
 void tst_AccuracyPanel::theChartHasEveryRunThatCounts() {
-    Fixture f;
+    PanelFixture f;
     f.measure();
     auto* chart = f.find<AccuracyChart>("accuracyChart");
     const auto& study = f.panel->study().result()->accuracy;
@@ -195,7 +196,7 @@ void tst_AccuracyPanel::theChartHasEveryRunThatCounts() {
 }
 
 void tst_AccuracyPanel::itRunsInTheBackgroundAndTellsHowFarItIs() {
-    Fixture f;
+    PanelFixture f;
     f.mayEnd.acquire(1000);
     QTest::mouseClick(f.find<QPushButton>("accuracyStart"), Qt::LeftButton);
     QVERIFY(f.panel->study().isRunning());
@@ -208,7 +209,7 @@ void tst_AccuracyPanel::itRunsInTheBackgroundAndTellsHowFarItIs() {
 }
 
 void tst_AccuracyPanel::cancelAnswersAtOnce() {
-    Fixture f;
+    PanelFixture f;
     f.mayEnd.acquire(1000); // the run under way does not look at its stop
     QTest::mouseClick(f.find<QPushButton>("accuracyStart"), Qt::LeftButton);
     QVERIFY(QTest::qWaitFor([&] { return f.begun == 1; }));
@@ -224,7 +225,7 @@ void tst_AccuracyPanel::cancelAnswersAtOnce() {
 }
 
 void tst_AccuracyPanel::anEditMakesItStaleAndUndoDoesNot() {
-    Fixture f;
+    PanelFixture f;
     f.measure();
     auto* stale = f.find<QLabel>("accuracyStale");
     QVERIFY(stale->isHidden());
@@ -238,7 +239,7 @@ void tst_AccuracyPanel::anEditMakesItStaleAndUndoDoesNot() {
 }
 
 void tst_AccuracyPanel::theSuggestionIsTheCheapestThatMeetsIt() {
-    Fixture f;
+    PanelFixture f;
     f.measure();
     auto* within = f.find<QDoubleSpinBox>("accuracyWithin");
     within->setValue(5);
@@ -254,7 +255,7 @@ void tst_AccuracyPanel::theSuggestionIsTheCheapestThatMeetsIt() {
 }
 
 void tst_AccuracyPanel::aSettingIsTakenOverInOneStep() {
-    Fixture f;
+    PanelFixture f;
     f.measure();
     const double drawn = f.spacing();
     QSignalSpy finish(f.panel.get(), &AccuracyPanel::finishWanted);
@@ -274,11 +275,11 @@ void tst_AccuracyPanel::aSettingIsTakenOverInOneStep() {
     f.workbench.undo();
     QCOMPARE(f.spacing(), 1.4 * drawn);
     f.workbench.undo();
-    QVERIFY(f.workbench.document() == garment());
+    QVERIFY(f.workbench.document() == garmentWithRegion());
 }
 
 void tst_AccuracyPanel::noisyRunsSuggestNothing() {
-    Fixture f;
+    PanelFixture f;
     f.made.runs[1].time = {1.5, 3, true};
     f.measure();
     QVERIFY(f.suggestion().startsWith(QStringLiteral("Nothing is suggested")));
@@ -287,7 +288,7 @@ void tst_AccuracyPanel::noisyRunsSuggestNothing() {
 }
 
 void tst_AccuracyPanel::whatCannotBeMeasuredIsSaid() {
-    Fixture f;
+    PanelFixture f;
     f.workbench.startNew();
     QTest::mouseClick(f.find<QPushButton>("accuracyStart"), Qt::LeftButton);
     QVERIFY(!f.panel->study().isRunning());
@@ -295,7 +296,7 @@ void tst_AccuracyPanel::whatCannotBeMeasuredIsSaid() {
 }
 
 void tst_AccuracyPanel::theReportIsTheCommandLines() {
-    Fixture f;
+    PanelFixture f;
     f.measure();
     QTest::mouseClick(f.find<QPushButton>("accuracyCopy"), Qt::LeftButton);
     const QString text = QApplication::clipboard()->text();
@@ -308,7 +309,7 @@ void tst_AccuracyPanel::theReportIsTheCommandLines() {
 }
 
 void tst_AccuracyPanel::narrowOnesHaveTheTablesBelow() {
-    Fixture f;
+    PanelFixture f;
     f.measure();
     const auto below = [&] {
         QTest::qWait(50);
@@ -342,7 +343,7 @@ void tst_AccuracyPanel::everyTextIsTranslated() {
     const auto isChinese = [](const QString& text) {
         return std::ranges::any_of(text, [](QChar c) { return c.unicode() >= 0x2E80; });
     };
-    Fixture f;
+    PanelFixture f;
     f.measure();
     for (const QStringList& texts :
          {accuracyColumns(), quantityColumns(),
@@ -361,5 +362,5 @@ void tst_AccuracyPanel::everyTextIsTranslated() {
     QCoreApplication::removeTranslator(translation.get());
 }
 
-QTEST_MAIN(tst_AccuracyPanel)
+TOILE_TEST(tst_AccuracyPanel, QApplication)
 #include "tst_AccuracyPanel.moc"

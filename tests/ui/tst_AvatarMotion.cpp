@@ -2,6 +2,7 @@
 #include "UiFixtures.h"
 #include "WindowFixture.h"
 #include "core/document/DocumentEdits.h"
+#include "tests/Suite.h"
 #include "ui/window/MotionDialog.h"
 
 #include <QDialogButtonBox>
@@ -165,5 +166,5 @@ void tst_AvatarMotion::whatIsNoMotionOfTheAvatarIsTold() {
     QVERIFY(!laid.workbench.bodyHasMoved());
 }
 
-QTEST_MAIN(tst_AvatarMotion)
+TOILE_TEST(tst_AvatarMotion, QApplication)
 #include "tst_AvatarMotion.moc"

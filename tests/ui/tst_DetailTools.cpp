@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
 #include "core/pattern/PatternMeasures.h"
+#include "tests/Suite.h"
 #include "ui/panels/PropertySheet.h"
 #include "ui/tools/CutDart.h"
 #include "ui/tools/CutHole.h"
@@ -45,7 +46,7 @@ private Q_SLOTS:
 
 namespace {
 
-constexpr Modifiers shift{.shift = true}, alt{.alt = true};
+constexpr Modifiers alt{.alt = true};
 
 /// Uses the row of a sheet as the property editor does.
 template <class Row, class... Value>
@@ -327,5 +328,5 @@ void tst_DetailTools::theSheetMakesAButton() {
     QVERIFY(hand.document.pattern.tacks.empty());
 }
 
-QTEST_MAIN(tst_DetailTools)
+TOILE_TEST(tst_DetailTools, QApplication)
 #include "tst_DetailTools.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
+#include "tests/Suite.h"
 #include "ui/tools/DrawInternalLine.h"
 #include "ui/tools/DrawPiece.h"
 #include "ui/tools/EditPoints.h"
@@ -209,5 +210,5 @@ void tst_DrawingTools::internalLinesAreAddedToThePieceBelow() {
     QVERIFY(distance(hand.piece(1).internalLines[0].points[0], {-0.05, 0}) < 1e-12); // the piece's own coordinates
 }
 
-QTEST_APPLESS_MAIN(tst_DrawingTools)
+TOILE_TEST(tst_DrawingTools)
 #include "tst_DrawingTools.moc"

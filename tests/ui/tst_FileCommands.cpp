@@ -5,6 +5,7 @@
 #include "core/io/CheckpointFile.h"
 #include "core/io/ToileFile.h"
 #include "core/simulation/Simulation.h"
+#include "tests/Suite.h"
 
 #include <QLabel>
 #include <QMessageBox>
@@ -68,10 +69,11 @@ void drape(Bench& bench) {
     QTRY_VERIFY(bench.workbench.frame().has_value());
 }
 
-/// This very test as a program that edits and is killed before it saves.
+/// This very program, told to edit and to be killed before it saves.
 bool crashAfterAnEdit(const QString& recoveryFolder) {
     QProcess program;
-    program.start(QCoreApplication::applicationFilePath(), {QStringLiteral("crash"), recoveryFolder});
+    program.start(QCoreApplication::applicationFilePath(),
+                  {QStringLiteral("tst_FileCommands"), QStringLiteral("crash"), recoveryFolder});
     return program.waitForFinished(60000) && program.exitStatus() == QProcess::CrashExit;
 }
 
@@ -421,10 +423,10 @@ void tst_FileCommands::aWindowMayEndWhileSomethingIsBeingTyped() {
     typed(bench, "name", "Sleeve"); // the field loses the focus when half of the window has gone
 }
 
-int main(int argc, char** argv) {
+/// The test, or the program that it sees killed.
+static const suite::Entry testOrCrash("tst_FileCommands", [](int argc, char** argv) {
+    if (argc != 3 || qstrcmp(argv[1], "crash") != 0) return suite::run<tst_FileCommands, QApplication>(argc, argv);
     QApplication application(argc, argv);
-    if (argc == 3 && qstrcmp(argv[1], "crash") == 0) return crash(QString::fromLocal8Bit(argv[2]));
-    tst_FileCommands tests;
-    return QTest::qExec(&tests, argc, argv);
-}
+    return crash(QString::fromLocal8Bit(argv[2]));
+});
 #include "tst_FileCommands.moc"

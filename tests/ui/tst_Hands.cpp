@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowFixture.h"
+#include "tests/Suite.h"
 #include "ui/window/HandLink.h"
 
 #include <QTest>
@@ -136,5 +137,5 @@ void tst_Hands::whatDoesNotPlayIsNotGrabbed() {
     QVERIFY(cloth.pins().empty());
 }
 
-QTEST_MAIN(tst_Hands)
+TOILE_TEST(tst_Hands, QApplication)
 #include "tst_Hands.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
 #include "WindowFixture.h"
+#include "tests/Suite.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -346,5 +347,5 @@ void tst_MainWindow::theMethodIsChosenAtThePlayButtonAndKept() {
     QVERIFY(next.workbench.method() == dynamics::Method::xpbd);
 }
 
-QTEST_MAIN(tst_MainWindow)
+TOILE_TEST(tst_MainWindow, QApplication)
 #include "tst_MainWindow.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
+#include "tests/Suite.h"
 #include "ui/panels/PropertySheet.h"
 #include "ui/tools/CutDart.h"
 #include "ui/tools/CutHole.h"
@@ -159,5 +160,5 @@ void tst_MirrorEdits::aDartAndAHoleAreCutWhereTheyAreDrawn() {
     QVERIFY(distance(image(hand).piece.internalLines[0].points[1], {0.45, 0.1}) < 1e-9);
 }
 
-QTEST_MAIN(tst_MirrorEdits)
+TOILE_TEST(tst_MirrorEdits, QApplication)
 #include "tst_MirrorEdits.moc"

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "ui/view3d/Navigation.h"
 
 #include <QTest>
 
 using namespace toile;
 using namespace toile::ui;
-
-Q_DECLARE_METATYPE(PointerPress)
-Q_DECLARE_METATYPE(CameraHabits)
-Q_DECLARE_METATYPE(CameraMotion)
 
 class tst_Navigation : public QObject {
     Q_OBJECT
@@ -60,5 +57,5 @@ void tst_Navigation::noMotionChangesNothing() {
     QVERIFY(moved({}, {800, 600}, CameraMotion::none, {10, 300}, {70, 250}) == picture::Camera{});
 }
 
-QTEST_APPLESS_MAIN(tst_Navigation)
+TOILE_TEST(tst_Navigation)
 #include "tst_Navigation.moc"

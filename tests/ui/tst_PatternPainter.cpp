@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
+#include "tests/Suite.h"
 #include "ui/pattern/Colours.h"
 #include "ui/pattern/NamePlace.h"
 #include "ui/pattern/PatternPainter.h"
@@ -154,5 +155,5 @@ void tst_PatternPainter::chineseIsNotBoxes() {
     QVERIFY(picture(QStringLiteral("片")) != picture(QStringLiteral(" ")));
 }
 
-QTEST_MAIN(tst_PatternPainter)
+TOILE_TEST(tst_PatternPainter, QApplication)
 #include "tst_PatternPainter.moc"

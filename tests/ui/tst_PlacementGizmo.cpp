@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "ui/view3d/PlacementGizmo.h"
 
 #include <QTest>
@@ -11,12 +12,12 @@ using picture::Camera;
 
 namespace {
 
-constexpr double rounding = 1e-9;
+constexpr double gizmoRounding = 1e-9;
 const Vec3 pivot{0.1, 1.2, 0.15};
 const Transform start{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, {0.1, 1.0, 0.2}}; // a quarter turn about y
 
 /// From the front, a little from above and from the left: all six handles can be told apart.
-GizmoView someView() {
+GizmoView fromTheFront() {
     return {{.target = {0, 1, 0}, .distance = 2.5, .yaw = 0.5, .pitch = 0.4}, {800, 600}};
 }
 
@@ -39,12 +40,12 @@ const std::vector<Grab> grabs{{GizmoHandle::moveX, {1, 0, 0}, 90}, {GizmoHandle:
                               {GizmoHandle::turnY, {1, 0, 1}, 70}, {GizmoHandle::turnZ, {1, 1, 0}, 70}};
 
 bool isRigid(const Transform& t) {
-    return std::abs(length(t.axisX) - 1) < rounding && std::abs(dot(t.axisX, t.axisY)) < rounding &&
-           distance(cross(t.axisX, t.axisY), t.axisZ) < rounding;
+    return std::abs(length(t.axisX) - 1) < gizmoRounding && std::abs(dot(t.axisX, t.axisY)) < gizmoRounding &&
+           distance(cross(t.axisX, t.axisY), t.axisZ) < gizmoRounding;
 }
 bool near(const Transform& a, const Transform& b) {
-    return distance(a.axisX, b.axisX) < rounding && distance(a.axisY, b.axisY) < rounding &&
-           distance(a.axisZ, b.axisZ) < rounding && distance(a.origin, b.origin) < rounding;
+    return distance(a.axisX, b.axisX) < gizmoRounding && distance(a.axisY, b.axisY) < gizmoRounding &&
+           distance(a.axisZ, b.axisZ) < gizmoRounding && distance(a.origin, b.origin) < gizmoRounding;
 }
 
 } // namespace
@@ -72,13 +73,14 @@ private slots:
 void tst_PlacementGizmo::everyHandleIsFoundWhereItIsDrawn() {
     const PlacementGizmo gizmo(start, pivot);
     for (const Grab& grab : grabs)
-        QCOMPARE(gizmo.handleAt(someView(), seenAt(someView(), at(someView(), grab.direction, grab.pixels))),
-                 grab.handle);
+        QCOMPARE(
+            gizmo.handleAt(fromTheFront(), seenAt(fromTheFront(), at(fromTheFront(), grab.direction, grab.pixels))),
+            grab.handle);
 }
 
 void tst_PlacementGizmo::besideTheHandlesNothingIsGrabbed() {
     PlacementGizmo gizmo(start, pivot);
-    QVERIFY(!gizmo.press(someView(), {20, 20}));
+    QVERIFY(!gizmo.press(fromTheFront(), {20, 20}));
     QVERIFY(!gizmo.isDragging());
 }
 
@@ -86,12 +88,12 @@ void tst_PlacementGizmo::anArrowMovesAlongItsAxisByWhatThePointerMoved() {
     for (const Grab& grab : grabs) {
         if (grab.handle >= GizmoHandle::turnX) continue;
         PlacementGizmo gizmo(start, pivot);
-        const Vec3 from = at(someView(), grab.direction, grab.pixels), moved = grab.direction * 0.137;
-        QVERIFY(gizmo.press(someView(), seenAt(someView(), from)));
+        const Vec3 from = at(fromTheFront(), grab.direction, grab.pixels), moved = grab.direction * 0.137;
+        QVERIFY(gizmo.press(fromTheFront(), seenAt(fromTheFront(), from)));
         Transform wanted = start;
         wanted.origin += moved;
-        QVERIFY(near(gizmo.drag(someView(), seenAt(someView(), from + moved)), wanted));
-        QVERIFY(distance(gizmo.pivot(), pivot + moved) < rounding);
+        QVERIFY(near(gizmo.drag(fromTheFront(), seenAt(fromTheFront(), from + moved)), wanted));
+        QVERIFY(distance(gizmo.pivot(), pivot + moved) < gizmoRounding);
     }
 }
 
@@ -101,24 +103,24 @@ void tst_PlacementGizmo::aRingTurnsAboutItsAxisThroughThePivot() {
         Vec3 axis;
         axis[static_cast<int>(grab.handle) - static_cast<int>(GizmoHandle::turnX)] = 1;
         PlacementGizmo gizmo(start, pivot);
-        const Vec3 from = at(someView(), grab.direction, grab.pixels);
+        const Vec3 from = at(fromTheFront(), grab.direction, grab.pixels);
         const Transform turn = turnedAbout(pivot, axis, 0.7);
-        QVERIFY(gizmo.press(someView(), seenAt(someView(), from)));
-        const Transform after = gizmo.drag(someView(), seenAt(someView(), turn.point(from)));
+        QVERIFY(gizmo.press(fromTheFront(), seenAt(fromTheFront(), from)));
+        const Transform after = gizmo.drag(fromTheFront(), seenAt(fromTheFront(), turn.point(from)));
         QVERIFY(isRigid(after));
         QVERIFY(near(after, composed(turn, start)));
-        QVERIFY(distance(gizmo.pivot(), pivot) < rounding);
+        QVERIFY(distance(gizmo.pivot(), pivot) < gizmoRounding);
     }
 }
 
 void tst_PlacementGizmo::turnsGoOnPastHalfACircle() {
     PlacementGizmo gizmo(Transform{}, pivot);
-    const Vec3 from = at(someView(), {1, 0, 1}, 70);
-    QVERIFY(gizmo.press(someView(), seenAt(someView(), from)));
+    const Vec3 from = at(fromTheFront(), {1, 0, 1}, 70);
+    QVERIFY(gizmo.press(fromTheFront(), seenAt(fromTheFront(), from)));
     for (int step = 1; step <= 40; ++step) { // one and a quarter turns, then the same way back
         const double angle = 2.5 * std::numbers::pi * step / 40;
         const Transform turn = turnedAbout(pivot, {0, 1, 0}, angle);
-        QVERIFY(near(gizmo.drag(someView(), seenAt(someView(), turn.point(from))), turn));
+        QVERIFY(near(gizmo.drag(fromTheFront(), seenAt(fromTheFront(), turn.point(from))), turn));
     }
 }
 
@@ -153,33 +155,33 @@ void tst_PlacementGizmo::anArrowAlongTheLineOfSightIsNotOffered() {
 void tst_PlacementGizmo::draggingBackGivesTheFirstPlacement() {
     for (const Grab& grab : grabs) {
         PlacementGizmo gizmo(start, pivot);
-        const Vec2 from = seenAt(someView(), at(someView(), grab.direction, grab.pixels));
-        QVERIFY(gizmo.press(someView(), from));
-        QVERIFY(!near(gizmo.drag(someView(), from + Vec2{25, -18}), start));
-        QVERIFY(near(gizmo.drag(someView(), from), start));
+        const Vec2 from = seenAt(fromTheFront(), at(fromTheFront(), grab.direction, grab.pixels));
+        QVERIFY(gizmo.press(fromTheFront(), from));
+        QVERIFY(!near(gizmo.drag(fromTheFront(), from + Vec2{25, -18}), start));
+        QVERIFY(near(gizmo.drag(fromTheFront(), from), start));
     }
 }
 
 void tst_PlacementGizmo::stepsAreWholeCentimetresAndFiveDegrees() {
     PlacementGizmo arrow(start, pivot);
-    const Vec3 tip = at(someView(), {1, 0, 0}, 90);
-    QVERIFY(arrow.press(someView(), seenAt(someView(), tip)));
-    arrow.drag(someView(), seenAt(someView(), tip + Vec3{0.0321, 0, 0}), true);
-    QVERIFY(std::abs(arrow.placement().origin.x - start.origin.x - 0.03) < rounding);
+    const Vec3 tip = at(fromTheFront(), {1, 0, 0}, 90);
+    QVERIFY(arrow.press(fromTheFront(), seenAt(fromTheFront(), tip)));
+    arrow.drag(fromTheFront(), seenAt(fromTheFront(), tip + Vec3{0.0321, 0, 0}), true);
+    QVERIFY(std::abs(arrow.placement().origin.x - start.origin.x - 0.03) < gizmoRounding);
 
     PlacementGizmo ring(Transform{}, pivot);
-    const Vec3 from = at(someView(), {1, 0, 1}, 70);
-    QVERIFY(ring.press(someView(), seenAt(someView(), from)));
+    const Vec3 from = at(fromTheFront(), {1, 0, 1}, 70);
+    QVERIFY(ring.press(fromTheFront(), seenAt(fromTheFront(), from)));
     const double degree = std::numbers::pi / 180;
-    ring.drag(someView(), seenAt(someView(), turnedAbout(pivot, {0, 1, 0}, 18 * degree).point(from)), true);
+    ring.drag(fromTheFront(), seenAt(fromTheFront(), turnedAbout(pivot, {0, 1, 0}, 18 * degree).point(from)), true);
     QVERIFY(near(ring.placement(), turnedAbout(pivot, {0, 1, 0}, 20 * degree)));
 }
 
 void tst_PlacementGizmo::cancelGivesThePlacementFromBefore() {
     PlacementGizmo gizmo(start, pivot);
-    const Vec2 from = seenAt(someView(), at(someView(), {1, 0, 0}, 90));
-    QVERIFY(gizmo.press(someView(), from));
-    gizmo.drag(someView(), from + Vec2{50, 0});
+    const Vec2 from = seenAt(fromTheFront(), at(fromTheFront(), {1, 0, 0}, 90));
+    QVERIFY(gizmo.press(fromTheFront(), from));
+    gizmo.drag(fromTheFront(), from + Vec2{50, 0});
     QVERIFY(gizmo.placement() != start);
     gizmo.cancel();
     QVERIFY(gizmo.placement() == start && gizmo.pivot() == pivot && !gizmo.isDragging());
@@ -187,7 +189,7 @@ void tst_PlacementGizmo::cancelGivesThePlacementFromBefore() {
 
 void tst_PlacementGizmo::withoutAGrabADragDoesNothing() {
     PlacementGizmo gizmo(start, pivot);
-    gizmo.drag(someView(), {300, 200});
+    gizmo.drag(fromTheFront(), {300, 200});
     gizmo.release();
     gizmo.cancel();
     QVERIFY(gizmo.placement() == start);
@@ -195,11 +197,11 @@ void tst_PlacementGizmo::withoutAGrabADragDoesNothing() {
 
 void tst_PlacementGizmo::hoveringLightsTheHandle() {
     PlacementGizmo gizmo(start, pivot);
-    const Vec2 tip = seenAt(someView(), at(someView(), {0, 1, 0}, 90));
-    QVERIFY(gizmo.hover(someView(), tip));
+    const Vec2 tip = seenAt(fromTheFront(), at(fromTheFront(), {0, 1, 0}, 90));
+    QVERIFY(gizmo.hover(fromTheFront(), tip));
     QCOMPARE(gizmo.hovered(), GizmoHandle::moveY);
-    QVERIFY(!gizmo.hover(someView(), tip + Vec2{1, 0})); // still the same
-    QVERIFY(gizmo.hover(someView(), {20, 20}));
+    QVERIFY(!gizmo.hover(fromTheFront(), tip + Vec2{1, 0})); // still the same
+    QVERIFY(gizmo.hover(fromTheFront(), {20, 20}));
 }
 
 void tst_PlacementGizmo::theSizeOnTheScreenDoesNotDependOnTheDistance() {
@@ -216,11 +218,11 @@ void tst_PlacementGizmo::theSizeOnTheScreenDoesNotDependOnTheDistance() {
 
 void tst_PlacementGizmo::onlyTheHeldHandleIsDrawnWhileDragging() {
     PlacementGizmo gizmo(start, pivot);
-    const std::size_t all = gizmo.strokes(someView()).size();
-    QVERIFY(gizmo.press(someView(), seenAt(someView(), at(someView(), {0, 1, 0}, 90))));
-    const std::size_t one = gizmo.strokes(someView()).size();
+    const std::size_t all = gizmo.strokes(fromTheFront()).size();
+    QVERIFY(gizmo.press(fromTheFront(), seenAt(fromTheFront(), at(fromTheFront(), {0, 1, 0}, 90))));
+    const std::size_t one = gizmo.strokes(fromTheFront()).size();
     QVERIFY(one > 0 && one < all / 3);
 }
 
-QTEST_APPLESS_MAIN(tst_PlacementGizmo)
+TOILE_TEST(tst_PlacementGizmo)
 #include "tst_PlacementGizmo.moc"

@@ -2,6 +2,7 @@
 #include "UiFixtures.h"
 #include "core/pattern/PatternFolds.h"
 #include "core/pattern/PatternPieces.h"
+#include "tests/Suite.h"
 #include "ui/panels/PropertySheet.h"
 #include "ui/pattern/PatternPainter.h"
 #include "ui/tools/PressFolds.h"
@@ -171,5 +172,5 @@ void tst_PressFolds::aFoldIsDrawnDashDotted() {
     QVERIFY2(changes > 40, qPrintable(QString::number(changes))); // dashes and dots, not a line
 }
 
-QTEST_MAIN(tst_PressFolds)
+TOILE_TEST(tst_PressFolds, QApplication)
 #include "tst_PressFolds.moc"

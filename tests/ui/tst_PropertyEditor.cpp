@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
 #include "WindowFixture.h"
+#include "tests/Suite.h"
 
 #include <QAbstractItemView>
 #include <QCheckBox>
@@ -142,5 +143,5 @@ void tst_PropertyEditor::anAvatarIsNamedByItsFile() {
     QCOMPARE(avatar.toolTip(), QStringLiteral("/somewhere/far/away/body.glb"));
 }
 
-QTEST_MAIN(tst_PropertyEditor)
+TOILE_TEST(tst_PropertyEditor, QApplication)
 #include "tst_PropertyEditor.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowFixture.h"
+#include "tests/Suite.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -134,5 +135,5 @@ void tst_RandomEdits::fiveHundredEditsWhileItSews() {
     QVERIFY(bench.workbench.frame() && !bench.workbench.frame()->positions.empty());
 }
 
-QTEST_MAIN(tst_RandomEdits)
+TOILE_TEST(tst_RandomEdits, QApplication)
 #include "tst_RandomEdits.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
 #include "WindowFixture.h"
+#include "tests/Suite.h"
 
 using namespace toile;
 using namespace toile::ui;
@@ -27,5 +28,5 @@ void tst_SceneLink::theViewGoesOnWhenThePieceThatIsDraggedHasGone() {
     QTRY_VERIFY(view.gizmo());
 }
 
-QTEST_MAIN(tst_SceneLink)
+TOILE_TEST(tst_SceneLink, QApplication)
 #include "tst_SceneLink.moc"

@@ -84,5 +84,5 @@ void tst_SceneSheet::substepsAreWholeAndNoneLeavesThemToTheCloth() {
     QCOMPARE(row.set(document, 24)->scene.substeps, 24);
 }
 
-QTEST_APPLESS_MAIN(tst_SceneSheet)
+TOILE_TEST(tst_SceneSheet)
 #include "tst_SceneSheet.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "UiFixtures.h"
 #include "core/pattern/PatternMeasures.h"
+#include "tests/Suite.h"
 #include "ui/panels/PropertySheet.h"
 #include "ui/tools/EditSewing.h"
 #include "ui/tools/PaintRegion.h"
@@ -46,8 +47,6 @@ private Q_SLOTS:
 };
 
 namespace {
-
-constexpr Modifiers shift{.shift = true};
 
 /// Where the parts of a seam begin on the table.
 std::array<Vec2, 2> beginnings(const Hand& hand, const pattern::Seam& seam) {
@@ -409,5 +408,5 @@ void tst_SewingTools::aCancelledToolHasNoSeamJustMade() {
     QVERIFY(another.document == hand.document);
 }
 
-QTEST_APPLESS_MAIN(tst_SewingTools)
+TOILE_TEST(tst_SewingTools)
 #include "tst_SewingTools.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowFixture.h"
 #include "core/io/ToileFile.h"
+#include "tests/Suite.h"
 
 #include <QTemporaryDir>
 
@@ -146,5 +147,5 @@ void tst_SkirtSession::saveAndReload(Bench& bench) {
     QTRY_VERIFY(bench.workbench.body().has_value()); // found from the new place
 }
 
-QTEST_MAIN(tst_SkirtSession)
+TOILE_TEST(tst_SkirtSession, QApplication)
 #include "tst_SkirtSession.moc"

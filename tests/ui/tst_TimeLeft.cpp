@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "ui/accuracy/TimeLeft.h"
 
 #include <QTest>
@@ -52,5 +53,5 @@ void tst_TimeLeft::theSecondRepetitionTakesAsLongAsTheFirst() {
     QCOMPARE(*left.at(26), 6.0);
 }
 
-QTEST_GUILESS_MAIN(tst_TimeLeft)
+TOILE_TEST(tst_TimeLeft, QCoreApplication)
 #include "tst_TimeLeft.moc"

@@ -7,6 +7,7 @@
 #include "core/pattern/PatternRegions.h"
 #include "core/pattern/PatternSeams.h"
 #include "core/pattern/PatternTacks.h"
+#include "tests/Suite.h"
 #include "ui/panels/ObjectList.h"
 #include "ui/panels/PropertySheet.h"
 #include "ui/window/Translation.h"
@@ -43,7 +44,7 @@ bool isChinese(const QString& text) {
 }
 
 /// Things of all kinds: a piece with a region and notch, its edge, vertex, and a seam.
-document::Document garment() {
+document::Document garmentOfAllKinds() {
     return *document::edited(twoRectangles(), [](const pattern::Pattern& p, pattern::IdSource& ids) {
         const pattern::Piece &front = *p.pieces[0], &back = *p.pieces[1];
         return addRegion(p, front.id, {{-0.05, -0.05}, {0.05, -0.05}, {0, 0.05}}, "1", 1, ids)
@@ -99,7 +100,7 @@ void tst_Translation::everyCommandIsTranslated() {
     }
     for (const QAction* menu : bench.window.menuBar()->actions())
         QVERIFY2(isChinese(menu->text()), qPrintable(menu->text()));
-    bench.workbench.startFrom(garment(), {}, false);
+    bench.workbench.startFrom(garmentOfAllKinds(), {}, false);
     bench.picture("chinese.png");
 }
 
@@ -111,7 +112,7 @@ void tst_Translation::everyHintIsTranslated() {
 
 void tst_Translation::everyPropertyIsTranslated() {
     install();
-    document::Document document = garment();
+    document::Document document = garmentOfAllKinds();
     material::Fabric fabric;
     fabric.id = material::FabricId("cloth");
     document.pattern.fabrics.push_back(Shared<material::Fabric>(fabric));
@@ -134,5 +135,5 @@ void tst_Translation::everyPropertyIsTranslated() {
     for (const ObjectGroup& group : objectsOf(document)) QVERIFY2(isChinese(group.title), qPrintable(group.title));
 }
 
-QTEST_MAIN(tst_Translation)
+TOILE_TEST(tst_Translation, QApplication)
 #include "tst_Translation.moc"

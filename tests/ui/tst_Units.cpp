@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "ui/values/Units.h"
 
 #include <QTest>
@@ -35,5 +36,5 @@ void tst_Units::whatIsShownReadsBackAsTheSameValue() {
     QVERIFY(std::abs(fromShown(q, shown(q, 0.37)) - 0.37) < 1e-14); // rounding of a product and a sum
 }
 
-QTEST_APPLESS_MAIN(tst_Units)
+TOILE_TEST(tst_Units)
 #include "tst_Units.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "ui/view3d/View3D.h"
 
 #include "core/picture/OffscreenGl.h"
@@ -310,5 +311,5 @@ void tst_View3D::sizesOfOnePixelAreSurvived() {
     QVERIFY(!view.grab().isNull());
 }
 
-QTEST_MAIN(tst_View3D)
+TOILE_TEST(tst_View3D, QApplication)
 #include "tst_View3D.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "ui/view3d/View3D.h"
 
 #include <QLabel>
@@ -6,9 +7,14 @@
 
 using namespace toile::ui;
 
-/// A program of its own, because a process looks for its graphics driver once.
+/// A test of its own, because a process looks for its graphics driver once.
 class tst_View3DWithoutDriver : public QObject {
     Q_OBJECT
+public:
+    static void initMain() {
+        qputenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent");
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
 private slots:
     void aMessageStandsInTheViewsPlace();
 };
@@ -27,12 +33,5 @@ void tst_View3DWithoutDriver::aMessageStandsInTheViewsPlace() {
     QVERIFY(!view.grab().isNull());
 }
 
-int main(int argc, char** argv) {
-    qputenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent");
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    tst_View3DWithoutDriver test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+TOILE_TEST(tst_View3DWithoutDriver, QApplication)
 #include "tst_View3DWithoutDriver.moc"

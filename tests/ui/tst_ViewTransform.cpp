@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "ui/values/ViewTransform.h"
 
 #include <QTest>
@@ -76,5 +77,5 @@ void tst_ViewTransform::fittingNothingShowsAboutAMetre() {
     QCOMPARE(view.toPattern({320, 0}).y - view.toPattern({320, 480}).y, 1.0);
 }
 
-QTEST_APPLESS_MAIN(tst_ViewTransform)
+TOILE_TEST(tst_ViewTransform)
 #include "tst_ViewTransform.moc"

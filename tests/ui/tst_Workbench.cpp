@@ -2,6 +2,7 @@
 #include "WorkbenchFixture.h"
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternFabrics.h"
+#include "tests/Suite.h"
 #include "ui/panels/PropertySheet.h"
 
 #include <QSemaphore>
@@ -341,5 +342,5 @@ void tst_Workbench::aGarmentThatGoesOnTakesItsComplaintBack() {
     QCOMPARE(told.size(), 3);
 }
 
-QTEST_GUILESS_MAIN(tst_Workbench)
+TOILE_TEST(tst_Workbench, QCoreApplication)
 #include "tst_Workbench.moc"

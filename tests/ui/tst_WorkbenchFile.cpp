@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WorkbenchFixture.h"
 #include "core/document/DocumentEdits.h"
+#include "tests/Suite.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -197,5 +198,5 @@ void tst_WorkbenchFile::undoneWorkLeavesNothingToRecover() {
     QTRY_VERIFY(QDir(folder.path()).entryList({QStringLiteral("*.toile")}).isEmpty());
 }
 
-QTEST_GUILESS_MAIN(tst_WorkbenchFile)
+TOILE_TEST(tst_WorkbenchFile, QCoreApplication)
 #include "tst_WorkbenchFile.moc"

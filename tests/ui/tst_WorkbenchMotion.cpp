@@ -2,6 +2,7 @@
 #include "WorkbenchFixture.h"
 #include "core/body/Mannequin.h"
 #include "core/document/DocumentEdits.h"
+#include "tests/Suite.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -176,5 +177,5 @@ void tst_WorkbenchMotion::posesOfAnAvatarBeforeMoveNothing() {
     QVERIFY(!dressed.log.motion);
 }
 
-QTEST_GUILESS_MAIN(tst_WorkbenchMotion)
+TOILE_TEST(tst_WorkbenchMotion, QCoreApplication)
 #include "tst_WorkbenchMotion.moc"

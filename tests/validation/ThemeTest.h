@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdio>
 
-/// A test program per theme of core/study/validation: every case is a slot's data row, every row of a case is checked
+/// A test per theme of core/study/validation: every case is a slot's data row, every row of a case is checked
 /// and held against what docs/validation.md says of the case.
 namespace toile::study::validation {
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/validation/ThemeTest.h"
 
 using namespace toile::study::validation;
@@ -47,5 +48,5 @@ void tst_DocumentedCases::sumsAreThoseOfTheTable() {
     QCOMPARE(saidFailing, failing);
 }
 
-QTEST_APPLESS_MAIN(tst_DocumentedCases)
+TOILE_TEST(tst_DocumentedCases)
 #include "tst_DocumentedCases.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "tests/validation/ThemeTest.h"
 
 using namespace toile::study::validation;
@@ -10,5 +11,5 @@ private slots:
     void passes() { checkRow(staticCases()); }
 };
 
-QTEST_APPLESS_MAIN(tst_StaticCases)
+TOILE_TEST(tst_StaticCases)
 #include "tst_StaticCases.moc"

@@ -2,6 +2,7 @@
 #include "WornScenes.h"
 #include "core/simulation/Checkpoint.h"
 #include "samples/TShirt.h"
+#include "tests/Suite.h"
 
 using namespace toile;
 using namespace toile::simulation;
@@ -64,5 +65,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_AtRest)
+TOILE_TEST(tst_AtRest, QCoreApplication)
 #include "tst_AtRest.moc"

@@ -2,6 +2,7 @@
 #include "WornScenes.h"
 #include "core/io/CheckpointFile.h"
 #include "core/simulation/Inspect.h"
+#include "tests/Suite.h"
 
 #include <QTemporaryDir>
 
@@ -16,10 +17,6 @@ Scene shirt(double spacing = coarse) {
     Scene scene = onBlouseWearer(blouseAt(spacing));
     scene.settings.selfContact = spacing == coarse;
     return scene;
-}
-
-void run(Simulation& simulation, int frames) {
-    for (int i = 0; i < frames; ++i) QVERIFY(simulation.advance());
 }
 
 } // namespace
@@ -202,5 +199,5 @@ void tst_Checkpoint::aBrokenFileIsRefusedWithItsField() {
     QVERIFY2(toString(read.error()).find(names.toStdString()) != std::string::npos, toString(read.error()).c_str());
 }
 
-QTEST_GUILESS_MAIN(tst_Checkpoint)
+TOILE_TEST(tst_Checkpoint, QCoreApplication)
 #include "tst_Checkpoint.moc"

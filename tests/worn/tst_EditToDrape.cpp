@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WornScenes.h"
+#include "tests/Suite.h"
 
 #include <ctime>
-
-Q_DECLARE_METATYPE(toile::pattern::Pattern)
 
 using namespace toile;
 using namespace toile::simulation;
@@ -117,5 +116,5 @@ void tst_EditToDrape::aNewSeamIsDressedFromTheStart() {
     QVERIFY(edited->phase() == Phase::shaking);
 }
 
-QTEST_GUILESS_MAIN(tst_EditToDrape)
+TOILE_TEST(tst_EditToDrape, QCoreApplication)
 #include "tst_EditToDrape.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WornScenes.h"
+#include "tests/Suite.h"
 
 using namespace toile;
 using namespace toile::simulation;
@@ -31,5 +32,5 @@ void tst_FineBlouse::restsByItsLevelsAndIsInEquilibrium() {
     QVERIFY2(report->worn->worn, report->worn->worn ? "" : report->worn->why.front().c_str());
 }
 
-QTEST_APPLESS_MAIN(tst_FineBlouse)
+TOILE_TEST(tst_FineBlouse)
 #include "tst_FineBlouse.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WornScenes.h" // first: moc 6.4 stumbles over <compare> as the first header
+#include "tests/Suite.h"
 
 #include "core/pattern/PatternPlacement.h"
 #include "core/pattern/PatternSeams.h"
@@ -11,8 +12,8 @@ using namespace toile::simulation;
 
 namespace {
 
-constexpr double coarse = 0.030; // [m]; a control need not close every seam, only be found out
-constexpr double dressed = 3.5;  // [s]; sewing takes two, then weight and friction show
+constexpr double controlSpacing = 0.030; // [m]; a control need not close every seam, only be found out
+constexpr double dressed = 3.5;          // [s]; sewing takes two, then weight and friction show
 
 /// Without a fault: at the spacing of the sample, at which every seam closes.
 const SewReport& correctBlouse() {
@@ -96,7 +97,7 @@ void tst_NotWorn::aSeamReversed_data() {
 
 void tst_NotWorn::aSeamReversed() {
     QFETCH(QString, seam);
-    const auto reversed = pattern::reverseSeam(blouseAt(coarse), pattern::SeamId(seam.toStdString()));
+    const auto reversed = pattern::reverseSeam(blouseAt(controlSpacing), pattern::SeamId(seam.toStdString()));
     QVERIFY(reversed);
     const SewReport report = sewnFor(dressed, onBlouseWearer(*reversed));
     QVERIFY(!report.worn->worn);
@@ -114,7 +115,7 @@ void tst_NotWorn::sleevesSwapped() {
 }
 
 void tst_NotWorn::aPieceInsideOut() {
-    const auto turned = withPieceTurned(blouseAt(coarse), pattern::PieceId("back"));
+    const auto turned = withPieceTurned(blouseAt(controlSpacing), pattern::PieceId("back"));
     QVERIFY(turned);
     const SewReport report = sewnFor(dressed, onBlouseWearer(*turned));
     QVERIFY(!report.worn->worn);
@@ -122,7 +123,7 @@ void tst_NotWorn::aPieceInsideOut() {
 }
 
 void tst_NotWorn::withoutGravity() {
-    Scene scene = onBlouseWearer(blouseAt(coarse));
+    Scene scene = onBlouseWearer(blouseAt(controlSpacing));
     scene.settings.gravity = {};
     const SewReport report = sewnFor(dressed, scene);
     QVERIFY(!report.worn->worn);
@@ -170,5 +171,5 @@ void tst_NotWorn::aSeamHeldOpenByTheBody() {
     QVERIFY(seam.find("gapAtMergeMaximum")->isNull());
 }
 
-QTEST_APPLESS_MAIN(tst_NotWorn)
+TOILE_TEST(tst_NotWorn)
 #include "tst_NotWorn.moc"

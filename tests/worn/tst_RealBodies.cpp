@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WornScenes.h" // first: moc 6.4 stumbles over <compare> as the first header
+#include "tests/Suite.h"
 
 #include "core/io/BodyImport.h"
 #include "core/io/GarmentCodeFile.h"
@@ -149,5 +150,5 @@ void tst_RealBodies::importedPatternsAreSewn() {
     QCOMPARE(report.worn->turnedLength, 0.0);
 }
 
-QTEST_APPLESS_MAIN(tst_RealBodies)
+TOILE_TEST(tst_RealBodies)
 #include "tst_RealBodies.moc"

@@ -4,6 +4,7 @@
 #include "core/simulation/FrameTally.h"
 #include "core/simulation/Wearing.h"
 #include "samples/Shirt.h"
+#include "tests/Suite.h"
 
 #include <memory>
 #include <numbers>
@@ -164,5 +165,5 @@ void tst_Shirt::liftedArmsDoNotComeThroughWhatIsCrumpledOnThem() {
     QCOMPARE(report->contact.selfIntersections, 0);
 }
 
-QTEST_APPLESS_MAIN(tst_Shirt)
+TOILE_TEST(tst_Shirt)
 #include "tst_Shirt.moc"

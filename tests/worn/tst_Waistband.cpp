@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WornScenes.h" // first: moc 6.4 stumbles over <compare> as the first header
+#include "tests/Suite.h"
 
 #include "core/material/FabricPresets.h"
 #include "samples/CircleSkirt.h"
@@ -129,5 +130,5 @@ void tst_Waistband::gathersDoNotStretchTheBandTheyHangOn() {
     QVERIFY2(std::abs(length / band - 1) < 0.03, qPrintable(QString("%1 m").arg(length)));
 }
 
-QTEST_APPLESS_MAIN(tst_Waistband)
+TOILE_TEST(tst_Waistband)
 #include "tst_Waistband.moc"

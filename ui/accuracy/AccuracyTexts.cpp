@@ -3,8 +3,8 @@
 
 #include "core/study/Advice.h"
 #include "core/study/GarmentReport.h"
+#include "ui/values/Words.h"
 
-#include <QCoreApplication>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -15,10 +15,6 @@ namespace {
 using dynamics::Method;
 using study::GarmentAccuracy;
 using study::GarmentRun;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Accuracy", text);
-}
 
 /// Words of the core that the table of texts has.
 QString translated(std::string_view text) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/ObjectList.h"
+#include "ui/values/Words.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QIcon>
 
@@ -11,10 +11,6 @@ namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("ObjectList", text);
-}
 
 QString named(const std::string& name, const QString& otherwise) {
     return name.empty() ? otherwise : QString::fromStdString(name);

@@ -2,8 +2,8 @@
 #include "core/document/DocumentEdits.h"
 #include "core/simulation/SceneCheck.h"
 #include "ui/panels/PropertySheet.h"
+#include "ui/values/Words.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <cmath>
 
@@ -13,11 +13,7 @@ namespace {
 using document::Document;
 using simulation::SceneSettings;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("Properties", text);
-}
-
-auto setting(auto change) {
+auto sceneSetting(auto change) {
     return [change](const Document& document, auto value) -> DocumentResult {
         SceneSettings scene = document.scene;
         change(scene, value);
@@ -29,7 +25,7 @@ auto setting(auto change) {
 void addAirRows(PropertySheet& sheet, const std::optional<simulation::Air>& air) {
     constexpr double strongest = 50, mostDrag = 10; // [m/s], [–]
     sheet.rows.push_back({QStringLiteral("air"), tr("Air"),
-                          FlagRow{air.has_value(), setting([](SceneSettings& s, bool on) {
+                          FlagRow{air.has_value(), sceneSetting([](SceneSettings& s, bool on) {
                                       s.air = on ? std::optional(simulation::Air{}) : std::nullopt;
                                   })},
                           tr("It drags at cloth that moves, and wind blows it.")});
@@ -37,7 +33,7 @@ void addAirRows(PropertySheet& sheet, const std::optional<simulation::Air>& air)
     const auto wind = [&](const char* name, const QString& label, double Vec3::*along, const QString& tip) {
         sheet.rows.push_back({QString::fromLatin1(name), label,
                               NumberRow{Quantity::wind, air->wind.*along, -strongest, strongest, 0.5,
-                                        setting([along](SceneSettings& s, double speed) {
+                                        sceneSetting([along](SceneSettings& s, double speed) {
                                             if (s.air) s.air->wind.*along = speed;
                                         })},
                               tip});
@@ -47,7 +43,7 @@ void addAirRows(PropertySheet& sheet, const std::optional<simulation::Air>& air)
     wind("windZ", tr("Wind along z"), &Vec3::z, tr("Towards where the avatar looks."));
     sheet.rows.push_back(
         {QStringLiteral("drag"), tr("Drag coefficient"),
-         NumberRow{Quantity::factor, air->drag, 0, mostDrag, 0.1, setting([](SceneSettings& s, double drag) {
+         NumberRow{Quantity::factor, air->drag, 0, mostDrag, 0.1, sceneSetting([](SceneSettings& s, double drag) {
                        if (s.air) s.air->drag = drag;
                    })},
          tr("Of cloth across the stream; a flat plate has 1.2.")});
@@ -62,7 +58,7 @@ PropertySheet sceneSheet(const Document& document) {
                             double low, double high, double step, const QString& tip = {}) {
         sheet.rows.push_back({QString::fromLatin1(name), label,
                               NumberRow{quantity, scene.*field, low, high, step,
-                                        setting([field](SceneSettings& s, double value) { s.*field = value; })},
+                                        sceneSetting([field](SceneSettings& s, double value) { s.*field = value; })},
                               tip});
     };
     const QString avatar = QString::fromStdString(document.avatarFile);
@@ -70,7 +66,7 @@ PropertySheet sceneSheet(const Document& document) {
     sheet.rows.push_back({QStringLiteral("avatar"), tr("Avatar"), FactRow{name}, avatar});
     sheet.rows.push_back({QStringLiteral("gravity"), tr("Gravity"),
                           NumberRow{Quantity::acceleration, -scene.gravity.y, -100, 100, 0.5,
-                                    setting([](SceneSettings& s, double value) {
+                                    sceneSetting([](SceneSettings& s, double value) {
                                         s.gravity = {0, -value, 0};
                                     })},
                           tr("Downward.")});
@@ -85,14 +81,16 @@ PropertySheet sceneSheet(const Document& document) {
     number("bodyFriction", tr("Body friction"), Quantity::factor, &SceneSettings::bodyFriction, 0, 2, 0.05);
     number("seamTime", tr("Seam time"), Quantity::time, &SceneSettings::seamTime, 0.01, 30, 0.1,
            tr("In which the seams are drawn together."));
+    sheet.rows.push_back({QStringLiteral("substeps"), tr("Substeps"),
+                          NumberRow{Quantity::count, double(scene.substeps), 0, simulation::mostSubsteps, 1,
+                                    sceneSetting([](SceneSettings& s, double count) {
+                                        s.substeps = static_cast<int>(std::lround(count));
+                                    })},
+                          tr("Of a frame step, while cloth is simulated by positions; 0: as many as its longest thread "
+                             "needs. Cloth is stiffer with more.")});
     sheet.rows.push_back(
-        {QStringLiteral("substeps"), tr("Substeps"),
-         NumberRow{Quantity::count, double(scene.substeps), 0, simulation::mostSubsteps, 1,
-                   setting([](SceneSettings& s, double count) { s.substeps = static_cast<int>(std::lround(count)); })},
-         tr("Of a frame step, while cloth is simulated by positions; 0: as many as its longest thread "
-            "needs. Cloth is stiffer with more.")});
-    sheet.rows.push_back({QStringLiteral("selfContact"), tr("Self-contact"),
-                          FlagRow{scene.selfContact, setting([](SceneSettings& s, bool on) { s.selfContact = on; })}});
+        {QStringLiteral("selfContact"), tr("Self-contact"),
+         FlagRow{scene.selfContact, sceneSetting([](SceneSettings& s, bool on) { s.selfContact = on; })}});
     return sheet;
 }
 

@@ -3,15 +3,9 @@
 
 #include "core/document/DocumentEdits.h"
 #include "ui/panels/PropertySheet.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 namespace toile::ui {
-
-/// A text of the sheets in the language of the window.
-inline QString tr(const char* text) {
-    return QCoreApplication::translate("Properties", text);
-}
 
 /// An edit of core/pattern, edit(pattern, value…), as the setter of a property.
 inline auto setting(auto edit) {

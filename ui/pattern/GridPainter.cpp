@@ -31,7 +31,7 @@ void paintAxes(QPainter& painter, const ViewTransform& view) {
                      QPointF(view.size.width(), std::round(origin.y()) + 0.5));
 }
 
-QString millimetres(double metres) {
+QString rulerNumber(double metres) {
     const double number = metres * 1000;
     return QString::number(std::abs(number) < 1e-9 ? 0 : number, 'g', 6);
 }
@@ -76,7 +76,7 @@ void paintRulers(QPainter& painter, const ViewTransform& view) {
         const bool major = std::fmod(std::abs(i), 5) == 0;
         if (x < rulerWidth) continue;
         painter.drawLine(QPointF(x, rulerWidth - (major ? 8 : 4)), QPointF(x, rulerWidth - 1));
-        if (major) painter.drawText(QPointF(x + 3, 11), millimetres(i * small));
+        if (major) painter.drawText(QPointF(x + 3, 11), rulerNumber(i * small));
     }
     for (double i = std::ceil(low.y / small); i * small <= high.y; ++i) {
         const double y = std::round(view.toScreen({0, i * small}).y()) + 0.5;
@@ -87,7 +87,7 @@ void paintRulers(QPainter& painter, const ViewTransform& view) {
         painter.save();
         painter.translate(11, y - 3);
         painter.rotate(-90);
-        painter.drawText(QPointF(0, 0), millimetres(i * small));
+        painter.drawText(QPointF(0, 0), rulerNumber(i * small));
         painter.restore();
     }
     painter.fillRect(QRectF(0, 0, rulerWidth, rulerWidth), colours::ruler);

@@ -6,8 +6,7 @@
 #include "ui/tools/DeleteSelection.h"
 #include "ui/values/ShapeOwner.h"
 #include "ui/values/Units.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 #include <algorithm>
 
@@ -15,10 +14,6 @@ namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("CutDart", text);
-}
 
 /// The edge as its source walks it: fractions count along it.
 std::vector<Vec2> edgePath(const FlatPattern& flat, const EdgeRef& edge) {

@@ -4,8 +4,7 @@
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternContours.h"
 #include "ui/values/ShapeOwner.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 #include <algorithm>
 
@@ -13,10 +12,6 @@ namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("CutHole", text);
-}
 
 } // namespace
 

@@ -10,17 +10,12 @@
 #include "core/pattern/PatternTacks.h"
 #include "ui/values/Remarks.h"
 #include "ui/values/ShapeOwner.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("DeleteSelection", text);
-}
 
 /// What an edit takes along is named; what has gone already, with something else, is passed over.
 struct Without {

@@ -4,17 +4,12 @@
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/Editing.h"
 #include "ui/values/ShapeOwner.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("DrawInternalLine", text);
-}
 
 } // namespace
 

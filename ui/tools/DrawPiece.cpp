@@ -6,8 +6,7 @@
 #include "core/pattern/PatternPieces.h"
 #include "ui/tools/DeleteSelection.h"
 #include "ui/values/Units.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 #include <cmath>
 #include <numbers>
@@ -16,10 +15,6 @@ namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("DrawPiece", text);
-}
 
 /// The new piece: its origin in the middle of what was drawn, so that it curls and turns about itself.
 Result<Pattern> withPiece(const Pattern& pattern, std::vector<Vec2> points, std::span<const EdgeShape> shapes,

@@ -6,8 +6,7 @@
 #include "ui/tools/DeleteSelection.h"
 #include "ui/values/ShapeOwner.h"
 #include "ui/values/Units.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 #include <cmath>
 
@@ -15,10 +14,6 @@ namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("EditNotches", text);
-}
 
 /// The place on an edge; its middle when that is near.
 std::optional<EdgeHit> hitAt(const FlatPattern& flat, const PointerEvent& event) {

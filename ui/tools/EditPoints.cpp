@@ -5,8 +5,7 @@
 #include "core/pattern/PatternContours.h"
 #include "core/pattern/PatternMeasures.h"
 #include "ui/values/ShapeOwner.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 #include <algorithm>
 #include <map>
@@ -16,10 +15,6 @@ namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("EditPoints", text);
-}
 
 /// The nearest thing that this tool can select.
 std::optional<Item> itemAt(const Desk& desk, const PointerEvent& event) {

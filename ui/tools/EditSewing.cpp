@@ -4,17 +4,12 @@
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternSeams.h"
 #include "ui/values/Picking.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Sewing", text);
-}
 
 std::optional<SeamId> under(const Desk& desk, const PointerEvent& event) {
     return seamAt(desk.document.pattern, desk.flat, event.position, event.tolerance);

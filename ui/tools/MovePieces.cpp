@@ -4,17 +4,12 @@
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternPieces.h"
 #include "ui/values/Picking.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("MovePieces", text);
-}
 
 std::vector<PieceId> piecesIn(const Selection& selection) {
     std::vector<PieceId> pieces;

@@ -6,8 +6,7 @@
 #include "ui/tools/PaintRegion.h"
 #include "ui/values/Picking.h"
 #include "ui/values/ShapeOwner.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +17,6 @@ namespace {
 using namespace pattern;
 
 constexpr double smallestRadius = 0.002, largestRadius = 0.3; // [m]
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("PaintRegion", text);
-}
 
 const Region* findRegion(const Pattern& pattern, const RegionRef& ref) {
     const Piece* piece = findPiece(pattern, shapeOwner(pattern, ref.piece).piece);

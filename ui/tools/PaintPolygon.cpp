@@ -3,17 +3,12 @@
 #include "core/pattern/PatternRegions.h"
 #include "ui/tools/PaintRegion.h"
 #include "ui/values/ShapeOwner.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("PaintRegion", text);
-}
 
 } // namespace
 

@@ -4,17 +4,9 @@
 #include "ui/tools/DeleteSelection.h"
 #include "ui/tools/DrawPiece.h"
 #include "ui/values/Picking.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 namespace toile::ui {
-namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("PathTool", text);
-}
-
-} // namespace
 
 Effect PathTool::press(const Desk& desk, const PointerEvent& event) {
     if (event.button != Button::left) return {};

@@ -5,8 +5,7 @@
 #include "core/pattern/PatternFolds.h"
 #include "ui/tools/DrawPiece.h"
 #include "ui/values/ShapeOwner.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 #include <fmt/format.h>
 #include <numbers>
@@ -19,10 +18,6 @@ using namespace pattern;
 
 /// Wrong side to wrong side: hems, collars and plackets.
 constexpr double pressedFlat = -std::numbers::pi;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("PressFolds", text);
-}
 
 } // namespace
 

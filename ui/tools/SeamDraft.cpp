@@ -3,8 +3,7 @@
 
 #include "core/document/DocumentEdits.h"
 #include "ui/values/Units.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +12,6 @@ namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Sewing", text);
-}
 
 constexpr double samePoint = 1e-6; // [m]
 

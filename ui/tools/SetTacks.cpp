@@ -3,8 +3,7 @@
 
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternTacks.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 #include <fmt/format.h>
 #include <utility>
@@ -13,10 +12,6 @@ namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("SetTacks", text);
-}
 
 /// The place of the cloth under the pointer, in the piece's own plane.
 std::optional<ClothPoint> clothAt(const Desk& desk, Vec2 onTable) {

@@ -2,8 +2,7 @@
 #include "ui/tools/SewFree.h"
 
 #include "ui/tools/DeleteSelection.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 #include <cmath>
 
@@ -11,10 +10,6 @@ namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Sewing", text);
-}
 
 /// The place on an edge, drawn to an end or a notch within the tolerance.
 std::optional<EdgeHit> snappedHit(const FlatPattern& flat, const PointerEvent& event) {

@@ -4,8 +4,7 @@
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternSeams.h"
 #include "ui/tools/DeleteSelection.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 #include <algorithm>
 
@@ -13,10 +12,6 @@ namespace toile::ui {
 namespace {
 
 using namespace pattern;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Sewing", text);
-}
 
 /// The picks without edges that have gone from the document since.
 std::vector<EdgeHit> existing(const Desk& desk, std::vector<EdgeHit> picks) {

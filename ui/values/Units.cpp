@@ -11,7 +11,7 @@ namespace {
 
 constexpr double degreesPerRadian = 180 / std::numbers::pi;
 
-QString number(double value, int decimals) {
+QString decimalNumber(double value, int decimals) {
     const double rounded = std::round(value * std::pow(10, decimals)) == 0 ? 0.0 : value; // no "-0.0"
     return QString::number(rounded, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
 }
@@ -53,7 +53,7 @@ double fromShown(Quantity quantity, double number) {
 
 QString textOf(Quantity quantity, double value) {
     const UnitFormat format = formatOf(quantity);
-    return number(shown(quantity, value), format.decimals) + format.suffix;
+    return decimalNumber(shown(quantity, value), format.decimals) + format.suffix;
 }
 
 QString differenceTextOf(Quantity quantity, double value) {

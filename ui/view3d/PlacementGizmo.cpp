@@ -16,9 +16,9 @@ using picture::Stroke;
 
 namespace {
 
-constexpr double arrowLength = 96, arrowHead = 16, ringRadius = 70, touch = 8; // [px]
-constexpr double moveStep = 0.01;                                              // [m]
-constexpr double turnStep = 5 * std::numbers::pi / 180;                        // [rad]
+constexpr double arrowLength = 96, arrowHead = 16, ringRadius = 70, handleTouch = 8; // [px]
+constexpr double moveStep = 0.01;                                                    // [m]
+constexpr double turnStep = 5 * std::numbers::pi / 180;                              // [rad]
 constexpr double alongTheView = 0.97; // arrows nearer to the line of sight than this cosine are not offered
 constexpr double edgeOn = 0.2;        // rings whose axis is farther from it than this cosine are seen edge-on
 constexpr int ringCorners = 72;
@@ -157,11 +157,11 @@ Transform turnedAbout(const Vec3& point, const Vec3& unitAxis, double angle) {
 GizmoHandle PlacementGizmo::handleAt(const GizmoView& view, Vec2 pixel) const {
     const auto nearest = [&](bool ring) {
         GizmoHandle best = GizmoHandle::none;
-        Touched bestTouch{touch, 0};
+        Touched bestTouch{handleTouch, 0};
         for (const GizmoHandle handle : handles) {
             if (turns(handle) != ring || !isOffered(handle, view, pivot_)) continue;
             const auto here = nearestOn(outlineOf(handle, view, pivot_), view, pixel);
-            if (!here || here->pixels > touch) continue;
+            if (!here || here->pixels > handleTouch) continue;
             const bool better = best == GizmoHandle::none || here->pixels < bestTouch.pixels - 2 ||
                                 (here->pixels < bestTouch.pixels + 2 && here->depth < bestTouch.depth);
             if (!better) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/SaveDialog.h"
+#include "ui/values/Words.h"
 
-#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -12,10 +12,6 @@
 
 namespace toile::ui {
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("SaveDialog", text);
-}
 
 /// ".obj", ".ply" of "Wavefront OBJ (*.obj);;PLY (*.ply)".
 QStringList endingsOf(const QString& kinds) {

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 namespace toile::ui {
+
 ShortcutDialog::ShortcutDialog(Actions& actions, QWidget* parent) : QDialog(parent), actions_(actions) {
     setObjectName(QStringLiteral("shortcutDialog"));
     setWindowTitle(tr("Keyboard shortcuts"));

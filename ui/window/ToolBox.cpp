@@ -13,19 +13,11 @@
 #include "ui/tools/SetTacks.h"
 #include "ui/tools/SewFree.h"
 #include "ui/tools/SewSegments.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 #include <algorithm>
 
 namespace toile::ui {
-namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("ToolBox", text);
-}
-
-} // namespace
 
 ToolBox::ToolBox() {
     const auto add = [this](const char* id, const QString& text, const char* shortcut, const char* icon,

@@ -3,15 +3,14 @@
 
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternFabrics.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 namespace toile::ui {
 
 using namespace pattern;
 
 Effect fabricAdded(const Desk& desk, material::Fabric fabric) {
-    const QString name = QCoreApplication::translate("AddFabric", "Add fabric");
+    const QString name = tr("Add fabric");
     Effect effect = effectOf(name, document::edited(desk.document, [&](const Pattern& pattern, IdSource& ids) {
                                  fabric.id = ids.take<FabricId>();
                                  return addFabric(pattern, fabric);

@@ -4,8 +4,7 @@
 #include "core/document/DocumentEdits.h"
 #include "core/pattern/PatternPlacement.h"
 #include "ui/tools/DrawPiece.h"
-
-#include <QCoreApplication>
+#include "ui/values/Words.h"
 
 #include <cmath>
 #include <numbers>
@@ -49,11 +48,11 @@ Placement placedBeside(const body::Body* body, BodySide side, const Placement& b
 }
 
 Effect arranged(const Desk& desk, const body::Body* body, BodySide side) {
-    const QString name = QCoreApplication::translate("Arrange", "Place beside the body");
+    const QString name = tr("Place beside the body");
     Selection pieces;
     for (const Item& item : desk.selection)
         if (!pieceOf(item).empty()) pieces.push_back(pieceOf(item));
-    if (pieces.empty()) return refusal(QCoreApplication::translate("Arrange", "Select the pieces to place first."));
+    if (pieces.empty()) return refusal(tr("Select the pieces to place first."));
     return effectOf(name, document::edited(desk.document, [&](const Pattern& pattern, IdSource&) {
                         Result<Pattern> result = pattern;
                         for (const Item& item : pieces) {

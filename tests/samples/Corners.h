@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "samples/Measuring.h"
+
+namespace toile::samples {
+
+/// The angle inside the piece at a corner of its outline [°].
+inline double cornerDegrees(const pattern::Piece& piece, const pattern::VertexId& vertex) {
+    return cornerAngle(piece, vertex) / 0.017453292519943295;
+}
+
+} // namespace toile::samples
