@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
+#include <new>
 #include <thread>
 
 namespace toile::simulation {
@@ -137,6 +138,16 @@ private:
 
     // -- the worker's
     void run(std::stop_token stop) {
+        while (!stop.stop_requested()) {
+            try {
+                serve(stop);
+            } catch (const std::bad_alloc&) {
+                giveUp();
+            }
+        }
+    }
+
+    void serve(std::stop_token stop) {
         for (;;) {
             // Read in this order, so that a scene handed over before play was pressed is taken over before it plays,
             // and who stops the thread wakes it afterwards.
@@ -162,6 +173,14 @@ private:
                 signal_.wait(seen); // returns at once when something was ordered meanwhile
             }
         }
+    }
+
+    /// Whatever was being done, the simulation may have been left half changed. The pattern is not touched by it.
+    void giveUp() {
+        simulation_.reset();
+        broken_ = true;
+        steps_ = 0;
+        stopWith("There is not enough memory to simulate this garment: choose a larger spacing.");
     }
 
     /// A garment at rest costs nothing: the thread sleeps, and what is playing stays playing, for the next edit.
