@@ -18,6 +18,7 @@ Result<Refined> refined(Simulation coarse, Scene scene, const MeshOverrides& fin
                     .simulatedSeconds = sewn->simulatedSeconds,
                     .heldSeconds = sewn->heldSeconds,
                     .sleptSeconds = sewn->sleptSeconds,
+                    .sleptSavedSeconds = sewn->sleptSavedSeconds,
                     .cpuSeconds = sewn->cpuSeconds,
                     .wallSeconds = sewn->wallSeconds,
                     .ending = sewn->ending}};
@@ -31,6 +32,7 @@ SewSettings settingsAfter(const CoarseRun& coarse, SewSettings settings) {
 void count(const CoarseRun& coarse, SewReport& report) {
     report.heldSeconds += coarse.heldSeconds;
     report.sleptSeconds += coarse.sleptSeconds;
+    report.sleptSavedSeconds += coarse.sleptSavedSeconds;
     report.cpuSeconds += coarse.cpuSeconds;
     report.wallSeconds += coarse.wallSeconds;
     report.coarse = coarse;

@@ -231,6 +231,7 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     result.elasticEnergy = energies.elastic;
     result.simulatedSeconds = simulation.state().time;
     result.sleptSeconds = simulation.sleptTime();
+    result.sleptSavedSeconds = simulation.savedBySleep();
     result.steps = simulation.steps();
     result.substeps = simulation.substeps();
     result.peakBytes = peakBytes();

@@ -52,9 +52,9 @@ struct StageShare {
 /// What was done on a coarser mesh before (Refine.h).
 struct CoarseRun {
     int particles = 0, steps = 0;
-    double simulatedSeconds = 0, heldSeconds = 0, sleptSeconds = 0; ///< as in SewReport [s]
-    double cpuSeconds = 0, wallSeconds = 0;                         ///< [s]
-    std::string ending;                                             ///< as in SewReport
+    double simulatedSeconds = 0, heldSeconds = 0, sleptSeconds = 0, sleptSavedSeconds = 0; ///< as in SewReport [s]
+    double cpuSeconds = 0, wallSeconds = 0;                                                ///< [s]
+    std::string ending;                                                                    ///< as in SewReport
 };
 
 /// What a run did and what became of the garment; written as sew.json (docs/formats/sew.md).
@@ -73,8 +73,9 @@ struct SewReport {
     StrainSummary strain;
     CurvatureSummary curvature;
     double simulatedSeconds = 0, cpuSeconds = 0, wallSeconds = 0;
-    double heldSeconds = 0;  ///< of them after rest, to see whether a waistband stays [s]
-    double sleptSeconds = 0; ///< of them in which nothing moved, so that nothing was computed [s]
+    double heldSeconds = 0;       ///< of them after rest, to see whether a waistband stays [s]
+    double sleptSeconds = 0;      ///< of them in which nothing moved, so that nothing was computed [s]
+    double sleptSavedSeconds = 0; ///< as Simulation::savedBySleep
     int steps = 0, substeps = 0;
     std::optional<CoarseRun> coarse; ///< counted in the seconds and steps above
     bool atRest = false;             ///< in a scene of the paper by speed alone: its explicit steps find no equilibrium

@@ -139,6 +139,7 @@ Json toJson(const SewReport& report) {
     json.set("curvature", curvature);
     json.set("simulatedSeconds", report.simulatedSeconds).set("heldSeconds", report.heldSeconds);
     json.set("sleptSeconds", report.sleptSeconds);
+    json.set("sleptSavedSeconds", report.sleptSavedSeconds);
     json.set("cpuSeconds", report.cpuSeconds).set("wallSeconds", report.wallSeconds);
     json.set("coarse", toJson(report.coarse));
     json.set("steps", report.steps).set("substeps", report.substeps);

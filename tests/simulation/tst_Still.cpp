@@ -64,12 +64,14 @@ void tst_Still::whatLiesStillSleeps() {
     QVERIFY2(steps > 60 && steps < 600, qPrintable(QString::number(steps)));
     const std::vector<Vec3> before = simulation.state().positions;
     const auto costs = simulation.stageCosts();
-    const double time = simulation.state().time;
+    const double time = simulation.state().time, saved = simulation.savedBySleep();
+    QVERIFY(saved > 0);
     advance(simulation, 30);
     QCOMPARE(simulation.state().positions, before);
     QVERIFY(std::abs(simulation.state().time - time - 0.5) < 1e-9);
     QVERIFY(std::abs(simulation.sleptTime() - 31.0 / 60) < 1e-9);
     QCOMPARE(simulation.stageCosts().front().seconds, costs.front().seconds); // no stage was run
+    QVERIFY(std::abs(simulation.savedBySleep() - 31 * saved) < 1e-9);         // each as the last that was computed
     QCOMPARE(simulation.steps(), steps + 30);
     QVERIFY(simulation.frame().atRest);
 }
