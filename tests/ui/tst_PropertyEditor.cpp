@@ -26,6 +26,7 @@ private Q_SLOTS:
     void spacePressesTheFieldThatHasTheFocus();
     void theSheetStaysWhereItWasScrolledTo();
     void anAvatarIsNamedByItsFile();
+    void substepsThatAreLeftToTheClothAreCalledAutomatic();
 };
 
 namespace {
@@ -141,6 +142,21 @@ void tst_PropertyEditor::anAvatarIsNamedByItsFile() {
     const QLabel& avatar = sheet.field<QLabel>("avatar");
     QCOMPARE(avatar.text(), QStringLiteral("body.glb"));
     QCOMPARE(avatar.toolTip(), QStringLiteral("/somewhere/far/away/body.glb"));
+}
+
+void tst_PropertyEditor::substepsThatAreLeftToTheClothAreCalledAutomatic() {
+    Sheet sheet;
+    sheet.bench.workbench.select({});
+    auto& substeps = sheet.field<QDoubleSpinBox>("substeps");
+    QCOMPARE(substeps.text(), QStringLiteral("automatic"));
+    type(substeps, "24");
+    sheet.press(substeps, Qt::Key_Return);
+    QCOMPARE(sheet.bench.workbench.document().scene.substeps, 24);
+    QCOMPARE(sheet.field<QDoubleSpinBox>("substeps").text(), QStringLiteral("24"));
+    type(sheet.field<QDoubleSpinBox>("substeps"), "0");
+    sheet.press(sheet.field<QDoubleSpinBox>("substeps"), Qt::Key_Return);
+    QCOMPARE(sheet.bench.workbench.document().scene.substeps, 0);
+    QCOMPARE(sheet.field<QDoubleSpinBox>("substeps").text(), QStringLiteral("automatic"));
 }
 
 TOILE_TEST(tst_PropertyEditor, QApplication)

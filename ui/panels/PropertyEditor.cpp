@@ -125,6 +125,7 @@ QWidget* PropertyEditor::widgetFor(std::size_t row) {
                 box->setRange(std::min(a, b), std::max(a, b));
                 box->setSingleStep(number.step);
                 box->setSuffix(format.suffix);
+                box->setSpecialValueText(number.lowest);
                 box->setKeyboardTracking(false);
                 box->setAccelerated(true);
                 leaveTheWheel(*box);

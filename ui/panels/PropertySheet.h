@@ -22,6 +22,7 @@ struct NumberRow {
     double value = 0, low = 0, high = 1;
     double step = 1; ///< of the spin box [shown unit]
     std::function<DocumentResult(const document::Document&, double)> set;
+    QString lowest = {}; ///< what the lowest number means; empty = itself
 };
 struct TextRow {
     QString text;

@@ -81,13 +81,14 @@ PropertySheet sceneSheet(const Document& document) {
     number("bodyFriction", tr("Body friction"), Quantity::factor, &SceneSettings::bodyFriction, 0, 2, 0.05);
     number("seamTime", tr("Seam time"), Quantity::time, &SceneSettings::seamTime, 0.01, 30, 0.1,
            tr("In which the seams are drawn together."));
-    sheet.rows.push_back({QStringLiteral("substeps"), tr("Substeps"),
-                          NumberRow{Quantity::count, double(scene.substeps), 0, simulation::mostSubsteps, 1,
-                                    sceneSetting([](SceneSettings& s, double count) {
-                                        s.substeps = static_cast<int>(std::lround(count));
-                                    })},
-                          tr("Of a frame step, while cloth is simulated by positions; 0: as many as its longest thread "
-                             "needs. Cloth is stiffer with more.")});
+    sheet.rows.push_back(
+        {QStringLiteral("substeps"), tr("Substeps"),
+         NumberRow{
+             Quantity::count, double(scene.substeps), 0, simulation::mostSubsteps, 1,
+             sceneSetting([](SceneSettings& s, double count) { s.substeps = static_cast<int>(std::lround(count)); }),
+             tr("automatic")},
+         tr("Of a frame step, while cloth is simulated by positions; automatic: as many as its longest thread "
+            "needs. Cloth is stiffer with more.")});
     sheet.rows.push_back(
         {QStringLiteral("selfContact"), tr("Self-contact"),
          FlagRow{scene.selfContact, sceneSetting([](SceneSettings& s, bool on) { s.selfContact = on; })}});
