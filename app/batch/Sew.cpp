@@ -95,16 +95,12 @@ std::string methodsOf(const simulation::SewReport& report) {
     return text;
 }
 
-/// "left out: wind, pressure, frame steps of 6.0 s, which saved some 0.5 s"
-void printLeftOut(const simulation::SewReport& report) {
-    std::vector<std::string_view> stages;
-    for (const simulation::LeftOut& left : report.leftOut) stages.push_back(left.stage);
-    if (stages.empty()) return;
-    const std::string saved =
-        stages.back() == "frame steps"
-            ? fmt::format(" of {:.1f} s, which saved some {:.1f} s", report.sleptSeconds, report.sleptSavedSeconds)
-            : "";
-    fmt::print("left out: {}{}\n", fmt::join(stages, ", "), saved);
+/// "left out: wind, pressure, frame steps (which saved some 0.5 s)"
+void printLeftOut(const std::vector<simulation::LeftOut>& leftOut) {
+    std::vector<std::string> stages;
+    for (const auto& [stage, why, saved] : leftOut)
+        stages.push_back(saved > 0 ? fmt::format("{} (which saved some {:.1f} s)", stage, saved) : stage);
+    if (!stages.empty()) fmt::print("left out: {}\n", fmt::join(stages, ", "));
 }
 
 double degrees(double radians) {
@@ -138,7 +134,7 @@ void printSummary(const simulation::SewReport& report, const SewOptions& options
         fmt::print("{}\n", report.worn->worn ? "worn" : "not worn:");
         for (const std::string& why : report.worn->why) fmt::print("  {}\n", oneLine(why));
     }
-    printLeftOut(report);
+    printLeftOut(report.leftOut);
     printWarnings(report.warnings);
 }
 

@@ -142,8 +142,9 @@ void listFolds(SewReport& result, const Simulation& simulation) {
 
 void tellOfSleep(SewReport& result) {
     if (result.sleptSeconds > 0)
-        result.leftOut.push_back(
-            {"frame steps", fmt::format("of {:.1f} s: nothing had moved for a second", result.sleptSeconds)});
+        result.leftOut.push_back({"frame steps",
+                                  fmt::format("of {:.1f} s: nothing had moved for a second", result.sleptSeconds),
+                                  result.sleptSavedSeconds});
 }
 
 void warnOfTimeLimit(SewReport& result) {

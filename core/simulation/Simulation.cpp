@@ -357,6 +357,7 @@ Result<void> Simulation::advance(std::stop_token stop) {
     if (motion_) noteBody();
     stepSeconds_ = secondsSince(start);
     allSeconds_ += stepSeconds_;
+    ++computedSteps_;
     return {};
 }
 

@@ -172,8 +172,11 @@ public:
     [[nodiscard]] double restingTime() const { return restingTime_; }
     /// Of the clock, in which the cloth slept: nothing drove it and nothing had moved for a second [s].
     [[nodiscard]] double sleptTime() const { return sleptTime_; }
-    /// Wall time of the frame steps that were not computed for it, if each had taken what the last before it took [s].
-    [[nodiscard]] double savedBySleep() const { return savedBySleep_; }
+    /// Wall time of the frame steps that were not computed for it, if each had taken as long as the others in the mean
+    /// [s].
+    [[nodiscard]] double savedBySleep() const {
+        return computedSteps_ > 0 ? sleptSteps_ * allSeconds_ / computedSteps_ : 0;
+    }
 
     /// What a factor would have taken that did not fit in memory, so that conjugate gradients went on alone [B]; 0 =
     /// all did.
@@ -268,7 +271,7 @@ private:
     int substeps_ = 0, steps_ = 0;
     double largestSpeed_ = 0, restingTime_ = 0;
     double stillTime_ = 0, sleptTime_ = 0;         ///< since when nothing moves; how long nothing was computed [s]
-    double savedBySleep_ = 0;                      ///< [s]
+    int sleptSteps_ = 0, computedSteps_ = 0;       ///< frame steps
     double stepSeconds_ = 0, allSeconds_ = 0;      ///< wall time of the last frame step that was computed, of all
     std::vector<StepPlan::StageCost> formerCosts_; ///< of plans that were replaced
 };

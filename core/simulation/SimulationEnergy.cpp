@@ -80,7 +80,7 @@ bool Simulation::isAsleep() const {
 void Simulation::sleepFor(double duration) {
     state_.time += duration;
     sleptTime_ += duration;
-    savedBySleep_ += stepSeconds_;
+    ++sleptSteps_;
     restingTime_ += duration;
     largestSpeed_ = 0;
     ++steps_;

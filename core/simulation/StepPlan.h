@@ -12,6 +12,7 @@ namespace toile::simulation {
 /// A part of the step that this scene does not need, and why.
 struct LeftOut {
     std::string stage, why;
+    double saved = 0; ///< wall time, where it is known [s]; of stages `toile-cli study lean` measures it
     friend bool operator==(const LeftOut&, const LeftOut&) = default;
 };
 

@@ -71,7 +71,7 @@ void tst_Still::whatLiesStillSleeps() {
     QVERIFY(std::abs(simulation.state().time - time - 0.5) < 1e-9);
     QVERIFY(std::abs(simulation.sleptTime() - 31.0 / 60) < 1e-9);
     QCOMPARE(simulation.stageCosts().front().seconds, costs.front().seconds); // no stage was run
-    QVERIFY(std::abs(simulation.savedBySleep() - 31 * saved) < 1e-9);         // each as the last that was computed
+    QVERIFY(std::abs(simulation.savedBySleep() - 31 * saved) < 1e-9);         // each as long as the others
     QCOMPARE(simulation.steps(), steps + 30);
     QVERIFY(simulation.frame().atRest);
 }
