@@ -26,6 +26,8 @@ constexpr double atLeast = 0.5;
 /// How often statics is tried where it does not come to its end: a fold still snaps through, and time goes on between.
 constexpr int finishAttempts = 4;
 
+constexpr const char* noMemory = "There is not enough memory to simulate this garment: choose a larger spacing.";
+
 /// The way to the equilibrium is shown in pictures, so slowly that nothing jumps [m/s], but for no longer than [s].
 constexpr double glideSpeed = 0.03, longestGlide = 0.5;
 constexpr std::chrono::milliseconds glideFrame{16};
@@ -180,7 +182,7 @@ private:
         simulation_.reset();
         broken_ = true;
         steps_ = 0;
-        stopWith("There is not enough memory to simulate this garment: choose a larger spacing.");
+        stopWith(noMemory);
     }
 
     /// A garment at rest costs nothing: the thread sleeps, and what is playing stays playing, for the next edit.
@@ -191,8 +193,10 @@ private:
     void accept(Order order) {
         scene_ = std::move(order.scene);
         generation_ = order.generation;
-        adopt(simulation_ && simulation_->steps() > 0 ? Simulation::continued(scene_, *simulation_)
-                                                      : Simulation::create(scene_));
+        adopt(built([&] {
+            return simulation_ && simulation_->steps() > 0 ? Simulation::continued(scene_, *simulation_)
+                                                           : Simulation::create(scene_);
+        }));
     }
 
     /// A hand that moves wakes a garment at rest.
@@ -232,11 +236,11 @@ private:
     void restart() {
         simulation_.reset();
         held_.clear();
-        if (generation_ > 0) adopt(Simulation::create(scene_));
+        if (generation_ > 0) adopt(built([&] { return Simulation::create(scene_); }));
     }
 
     void goOnFrom(const Checkpoint& checkpoint) {
-        auto resumed = Simulation::resumed(scene_, {}, checkpoint);
+        auto resumed = built([&] { return Simulation::resumed(scene_, {}, checkpoint); });
         if (!resumed) return stopWith(toString(resumed.error()));
         adopt(std::move(resumed));
     }
@@ -247,6 +251,15 @@ private:
                                   "The avatar has moved; a checkpoint knows it only as it stood at first."));
         else if (stands()) checkpoints_.put(simulation_->checkpoint());
         else checkpoints_.put(fail(ErrorCode::invalidInput, "There is no garment that could be simulated."));
+    }
+
+    /// What make() makes; an error where memory runs out.
+    [[nodiscard]] static Result<Simulation> built(const auto& make) {
+        try {
+            return make();
+        } catch (const std::bad_alloc&) {
+            return fail(ErrorCode::tooLarge, noMemory);
+        }
     }
 
     /// A scene that cannot be built stands still; the garment before it is kept, and goes on when the next one can.

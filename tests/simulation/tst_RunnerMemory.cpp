@@ -44,6 +44,7 @@ private slots:
     void cleanup() { mostBytes = anything; }
     void aFrameStepThatDoesNotFitIsToldAndTheNextSceneRuns();
     void aSceneThatDoesNotFitIsToldAndTheNextSceneRuns();
+    void theGarmentBeforeASceneThatDoesNotFitIsKept();
 
 private:
     static constexpr std::size_t little = 1000; ///< less than a scene's positions take [B]
@@ -91,6 +92,21 @@ void tst_RunnerMemory::aSceneThatDoesNotFitIsToldAndTheNextSceneRuns() {
     runner.setScene(fallingSheet(), 1);
     QVERIFY(waitForFrame(runner, tellsOfMemory));
     verifyItRuns(runner, 2);
+}
+
+void tst_RunnerMemory::theGarmentBeforeASceneThatDoesNotFitIsKept() {
+    Runner runner;
+    verifyItRuns(runner, 1);
+    runner.pause();
+    QTRY_VERIFY(!runner.isBusy());
+    mostBytes = little;
+    runner.setScene(fallingSheet(), 2);
+    QVERIFY(waitForFrame(runner, tellsOfMemory));
+    mostBytes = anything;
+    runner.setScene(fallingSheet(), 3);
+    const auto frame = waitForFrame(runner, [](const Frame& f) { return f.generation == 3 && f.particles > 0; });
+    QVERIFY(frame);
+    QVERIFY(frame->time > 0.05);
 }
 
 TOILE_TEST(tst_RunnerMemory, QCoreApplication)
