@@ -161,7 +161,7 @@ struct InputReader {
     static MeshInput input(const Json& json) {
         MeshInput input;
         for (const Json& one : items(json, "pieces"))
-            input.pieces.push_back(piece(one, "P" + std::to_string(input.pieces.size())));
+            input.pieces.push_back(piece(one, fmt::format("P{}", input.pieces.size())));
         for (const Json& one : items(json, "seams"))
             input.seams.push_back(seam(one, fmt::format("s{}", input.seams.size())));
         return input;

@@ -60,7 +60,7 @@ private:
             piece.outline = loopThrough(star({random_(-1, 1), random_(-1, 1)}, random_.whole(3, 20), 0.1, 0.3));
             break;
         }
-        piece.label = "P" + std::to_string(number);
+        piece.label = fmt::format("P{}", number);
         // Mostly coarse: what goes wrong goes wrong among few cells, and a hundred thousand of these take minutes.
         piece.spacing = std::pow(10.0, random_(random_.chance(0.1) ? -1.9 : -1.4, -0.7));
         curve(piece);

@@ -16,6 +16,7 @@
 #include <set>
 #endif
 
+using namespace toile;
 using namespace toile::meshing;
 
 class tst_StripTriangles : public QObject {

@@ -3,11 +3,13 @@
 
 #include "samples/Measuring.h"
 
+#include <numbers>
+
 namespace toile::samples {
 
 /// The angle inside the piece at a corner of its outline [°].
 inline double cornerDegrees(const pattern::Piece& piece, const pattern::VertexId& vertex) {
-    return cornerAngle(piece, vertex) / 0.017453292519943295;
+    return cornerAngle(piece, vertex) * 180 / std::numbers::pi;
 }
 
 } // namespace toile::samples

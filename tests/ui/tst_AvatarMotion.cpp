@@ -79,8 +79,8 @@ struct Laid : Bench {
             field->selectAll();
             QTest::keyClicks(field, poseFolder);
             dialog.findChild<QDoubleSpinBox*>(QStringLiteral("motionRate"))->setValue(rate);
-            const QString folder = qEnvironmentVariable("TOILE_PICTURES");
-            if (!folder.isEmpty()) QVERIFY(dialog.grab().save(folder + QStringLiteral("/motion-dialog.png")));
+            const QString pictures = qEnvironmentVariable("TOILE_PICTURES");
+            if (!pictures.isEmpty()) QVERIFY(dialog.grab().save(pictures + QStringLiteral("/motion-dialog.png")));
             QTest::keyClick(field, Qt::Key_Return);
         });
         key(Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);

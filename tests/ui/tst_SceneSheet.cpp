@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
 #include "ui/panels/PropertySheet.h"
 
 #include <QTest>
