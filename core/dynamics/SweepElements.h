@@ -4,6 +4,7 @@
 #include "core/geometry/Vec.h"
 
 #include <array>
+#include <limits>
 #include <span>
 
 namespace toile::dynamics {
@@ -66,13 +67,36 @@ struct alignas(32) FourLevelTriangles {
     std::array<FourIndices, 3> particles{};
 };
 
-/// What tension curves make of elements, from their strains.
-class TensionLaw {
-public:
-    virtual ~TensionLaw() = default;
-    /// Sets the coupling of the given four, and the compliance of all constraints that a curve has a say in.
-    virtual void bend(int four, const FourNumbers& weft, const FourNumbers& warp, FourNumbers& coupling,
-                      std::span<FourNumbers> compliance) const = 0;
+/// What the tension curves of four membranes need to know of them. A lane without one has no area.
+struct alignas(32) FourMembranes {
+    FourNumbers area{};              ///< [m²]
+    FourNumbers c11{}, c22{}, c12{}; ///< at no strain [N/m]
+    int weft = 0, warp = 0;          ///< their curves, indices into TensionLaw::curves
+};
+
+/// From a strain on four curves go as factor + rise·(e − strain)/run.
+struct alignas(32) FourBends {
+    FourNumbers strain{infiniteStrain, infiniteStrain, infiniteStrain, infiniteStrain}; ///< none here
+    FourNumbers factor{}, rise{}, run{};
+
+    static constexpr double infiniteStrain = std::numeric_limits<double>::infinity();
+};
+
+/// Secant moduli over those at no strain, of four membranes: 1, and from bend to bend as that says. Beyond the last
+/// point stress grows along the tangent.
+struct alignas(32) FourCurves {
+    FourNumbers last{FourBends::infiniteStrain, FourBends::infiniteStrain, FourBends::infiniteStrain,
+                     FourBends::infiniteStrain}; ///< strain of the last point
+    FourNumbers stress{}, tangent{};             ///< there, for a modulus of 1
+    int first = 0, end = 0;                      ///< indices into TensionLaw::bends
+};
+
+/// What tension curves make of elements. Ref: cloth::tensionSecant
+struct TensionLaw {
+    std::span<const FourMembranes> fours; ///< one for each four elements; none where all is linear
+    std::span<const FourCurves> curves;
+    std::span<const FourBends> bends;
+    double h = 0; ///< [s]
 };
 
 } // namespace toile::dynamics

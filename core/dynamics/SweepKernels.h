@@ -13,11 +13,11 @@ struct SweepKernels {
     void (*springs)(Place* places, std::span<const FourSprings> springs);
     void (*threePoint)(Place* places, std::span<const LinearElement<3>> stencils);
     void (*fourPoint)(Place* places, std::span<const LinearElement<4>> stencils);
-    /// cap as in XpbdSettings; law is null where all is linear, else it knows the first of these four as number
-    /// `first`.
-    void (*triangles)(Place* places, std::span<const FourTriangles> triangles, double cap, const TensionLaw* law,
+    /// cap as in XpbdSettings; the law knows the first of these fours as number `first`, or is empty where all is
+    /// linear.
+    void (*triangles)(Place* places, std::span<const FourTriangles> triangles, double cap, const TensionLaw& law,
                       int first);
-    void (*cells)(Place* places, std::span<const FourCells> cells, double cap, const TensionLaw* law, int first);
+    void (*cells)(Place* places, std::span<const FourCells> cells, double cap, const TensionLaw& law, int first);
     void (*hinges)(Place* places, std::span<const FourHinges> hinges, double cap);
     void (*level)(Place* places, std::span<const FourLevelTriangles> triangles);
 };

@@ -87,6 +87,29 @@ TOILE_LANES void solve(Four (&a)[N][N], Four (&lambda)[N], const Four (&values)[
     }
 }
 
+/// cloth::tensionSecant of four membranes.
+TOILE_LANES Four secant(const TensionLaw& law, int which, Four strain) {
+    const FourCurves& curve = law.curves[which];
+    Four from{}, factor = all(1), rise{}, run = all(1);
+    for (int b = curve.first; b < curve.end; ++b) {
+        const FourBends& bend = law.bends[b];
+        const Four start = load(bend.strain);
+        const FourFlags isBeyond = strain > start;
+        from = isBeyond ? start : from;
+        factor = isBeyond ? load(bend.factor) : factor;
+        rise = isBeyond ? load(bend.rise) : rise;
+        run = isBeyond ? load(bend.run) : run;
+    }
+    const Four last = load(curve.last), along = factor + rise * (strain - from) / run;
+    const Four onTangent = (load(curve.stress) + load(curve.tangent) * (strain - last)) / strain;
+    return strain > last ? onTangent : along;
+}
+
+/// 1/(k h²), infinite without stiffness.
+TOILE_LANES Four complianceOf(Four stiffness, Four h) {
+    return stiffness > Four{} ? all(1) / (stiffness * h * h) : all(std::numeric_limits<double>::infinity());
+}
+
 /// Coupling and compliance of four elements under their strains.
 template <int N>
 struct Response {
@@ -94,16 +117,18 @@ struct Response {
     Four compliance[N];
 
     template <class Elements>
-    TOILE_LANES Response(const Elements& e, const TensionLaw* law, int four, Four weft, Four warp) {
-        FourNumbers bentCoupling;
-        std::array<FourNumbers, N> bent;
-        if (law) {
-            bentCoupling = e.coupling;
-            bent = e.compliance;
-            law->bend(four, numbers(weft), numbers(warp), bentCoupling, bent);
-        }
-        coupling = load(law ? bentCoupling : e.coupling);
-        for (int c = 0; c < N; ++c) compliance[c] = load(law ? bent[c] : e.compliance[c]);
+    TOILE_LANES Response(const Elements& e, const TensionLaw& law, int four, Four weft, Four warp) {
+        coupling = load(e.coupling);
+        for (int c = 0; c < N; ++c) compliance[c] = load(e.compliance[c]);
+        if (law.fours.empty() || !any((weft > Four{}) | (warp > Four{}))) return; // as slack as they were compiled
+        const FourMembranes& m = law.fours[four];
+        const Four h = all(law.h), area = load(m.area), c12 = load(m.c12);
+        const Four c11 = load(m.c11) * secant(law, m.weft, weft), c22 = load(m.c22) * secant(law, m.warp, warp);
+        coupling = c22 > Four{} ? c12 / c22 : Four{};
+        const Four along = complianceOf(area * c11, h), across = complianceOf(area * c22, h);
+        const FourFlags isThere = area > Four{};
+        const Four bent[4] = {complianceOf(area * (c11 - coupling * c12), h), across, along, across};
+        for (int c = 0; c + 1 < N; ++c) compliance[c] = isThere ? bent[c] : compliance[c];
     }
 };
 
@@ -115,7 +140,7 @@ struct Symmetric {
 /// Strains of Biot as in cloth::Stretch. Gradients lie in the plane of the two columns f_u, f_v of the deformation
 /// gradient, so that all but the last step is done with two numbers for each: ∂C/∂f_u = 2(f_u·z.xx + f_v·z.xy),
 /// ∂C/∂f_v = 2(f_u·z.xy + f_v·z.yy).
-void sweepTriangles(Place* places, std::span<const FourTriangles> triangles, double cap, const TensionLaw* law,
+void sweepTriangles(Place* places, std::span<const FourTriangles> triangles, double cap, const TensionLaw& law,
                     int first) {
     const Four one = all(1), two = all(2), smallest = all(1e-8); // of det S: a collapsed triangle keeps finite forces
     for (const FourTriangles& t : triangles) {
@@ -182,7 +207,7 @@ void sweepTriangles(Place* places, std::span<const FourTriangles> triangles, dou
 }
 
 /// Mean strains as in the triangle, half differences of opposite sides, and the shear.
-void sweepCells(Place* places, std::span<const FourCells> cells, double cap, const TensionLaw* law, int first) {
+void sweepCells(Place* places, std::span<const FourCells> cells, double cap, const TensionLaw& law, int first) {
     const Four half = all(0.5), one = all(1);
     for (const FourCells& cell : cells) {
         Corners corners[4];

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/XpbdSweep.h"
 
-#include "core/cloth/Tension.h"
 #include "core/dynamics/Colouring.h"
 
 #include <cmath>
@@ -25,30 +24,6 @@ double areaOf(const cloth::MembraneCell& cell) {
     return cell.width * cell.height;
 }
 
-double complianceOf(double stiffness, double h) {
-    return stiffness > 0 ? 1 / (stiffness * h * h) : std::numeric_limits<double>::infinity();
-}
-
-/// Constraints that a membrane is taken apart into, but for the shear: ½(C11 − C12²/C22)·E_xx² +
-/// ½C22·(E_yy + r·E_xx)² with r = C12/C22; for cells also C11 and C22 themselves.
-struct Membrane {
-    double area = 0;
-    material::MembraneStiffness stiffness;
-    const cloth::TensionCurves* curves = nullptr;
-
-    struct Response {
-        double coupling;                  ///< r
-        std::array<double, 4> compliance; ///< [1/kg]
-    };
-    [[nodiscard]] Response under(double weft, double warp, double h) const {
-        const double c11 = curves ? stiffness.c11 * cloth::tensionSecant(curves->weft, weft) : stiffness.c11;
-        const double c22 = curves ? stiffness.c22 * cloth::tensionSecant(curves->warp, warp) : stiffness.c22;
-        const double r = c22 > 0 ? stiffness.c12 / c22 : 0;
-        const double along = complianceOf(area * c11, h), across = complianceOf(area * c22, h);
-        return {r, {complianceOf(area * (c11 - r * stiffness.c12), h), across, along, across}};
-    }
-};
-
 /// As bending is: its coefficients sum to 0.
 bool isUnmovedByTranslation(std::span<const double> coefficients) {
     double sum = 0, size = 0;
@@ -58,27 +33,6 @@ bool isUnmovedByTranslation(std::span<const double> coefficients) {
     }
     return std::abs(sum) < 1e-9 * size;
 }
-
-class CurvedMembranes final : public TensionLaw {
-public:
-    explicit CurvedMembranes(double h) : h_(h) {}
-
-    std::vector<std::array<Membrane, lanes>> fours;
-
-    void bend(int four, const FourNumbers& weft, const FourNumbers& warp, FourNumbers& coupling,
-              std::span<FourNumbers> compliance) const override {
-        for (int lane = 0; lane < lanes; ++lane) {
-            const Membrane& membrane = fours[four][lane];
-            if (!membrane.curves || (weft[lane] <= 0 && warp[lane] <= 0)) continue; // as slack as it was compiled
-            const auto response = membrane.under(weft[lane], warp[lane], h_);
-            coupling[lane] = response.coupling;
-            for (std::size_t c = 0; c + 1 < compliance.size(); ++c) compliance[c][lane] = response.compliance[c];
-        }
-    }
-
-private:
-    double h_;
-};
 
 } // namespace
 
@@ -176,29 +130,27 @@ void XpbdSweep::compileTriangles() {
     for (const auto& t : model_.triangles)
         if (!joints_.touches(t.particles)) triangles.push_back(t);
     const auto particles = [](const cloth::MembraneTriangle& t) { return t.particles; };
-    auto law = std::make_unique<CurvedMembranes>(h_);
-    bool curved = false;
     const ColouredGroups coloured = colouredGroups(triangles, model_.particleCount(), lanes, particles);
     borders_.triangles = coloured.borders;
     for (const auto& group : coloured.groups) {
         FourTriangles& four = triangles_.emplace_back();
-        auto& membranes = law->fours.emplace_back();
+        std::array<Membrane, lanes> membranes;
         for (int lane = 0; lane < lanes; ++lane) {
             for (int c = 0; c < 3; ++c) four.particles[c][lane] = spare(lane, c);
             for (FourNumbers& compliance : four.compliance) compliance[lane] = 1;
             if (lane >= std::ssize(group)) continue;
             const cloth::MembraneTriangle& t = triangles[group[lane]];
-            membranes[lane] = {areaOf(t), t.stiffness, t.tension >= 0 ? &model_.tensionCurves[t.tension] : nullptr};
-            curved |= t.tension >= 0;
-            const auto slack = membranes[lane].under(0, 0, h_);
+            membranes[lane] = {areaOf(t), t.stiffness, t.tension};
+            const Membrane::Slack slack = membranes[lane].slack(h_);
             for (int c = 0; c < 3; ++c) four.particles[c][lane] = t.particles[c];
             for (int c = 0; c < 4; ++c) four.inverseRest[c][lane] = t.inverseRest[c];
             four.coupling[lane] = slack.coupling;
             for (int c = 0; c < 2; ++c) four.compliance[c][lane] = slack.compliance[c];
             four.compliance[2][lane] = compliance(areaOf(t) * t.stiffness.c33);
         }
+        curvedTriangles_.add(membranes, model_.tensionCurves);
     }
-    if (curved) triangleLaw_ = std::move(law);
+    if (curvedTriangles_.areLinear()) curvedTriangles_ = {};
 }
 
 void XpbdSweep::compileCells() {
@@ -206,22 +158,18 @@ void XpbdSweep::compileCells() {
     for (const auto& c : model_.cells)
         if (!joints_.touches(c.particles)) cells.push_back(c);
     const auto particles = [](const cloth::MembraneCell& c) { return c.particles; };
-    auto law = std::make_unique<CurvedMembranes>(h_);
-    bool curved = false;
     const ColouredGroups coloured = colouredGroups(cells, model_.particleCount(), lanes, particles);
     borders_.cells = coloured.borders;
     for (const auto& group : coloured.groups) {
         FourCells& four = cells_.emplace_back();
-        auto& membranes = law->fours.emplace_back();
+        std::array<Membrane, lanes> membranes;
         for (int lane = 0; lane < lanes; ++lane) {
             for (int c = 0; c < 4; ++c) four.particles[c][lane] = spare(lane, c);
             for (FourNumbers& compliance : four.compliance) compliance[lane] = 1;
             if (lane >= std::ssize(group)) continue;
             const cloth::MembraneCell& cell = cells[group[lane]];
-            membranes[lane] = {areaOf(cell), cell.stiffness,
-                               cell.tension >= 0 ? &model_.tensionCurves[cell.tension] : nullptr};
-            curved |= cell.tension >= 0;
-            const auto slack = membranes[lane].under(0, 0, h_);
+            membranes[lane] = {areaOf(cell), cell.stiffness, cell.tension};
+            const Membrane::Slack slack = membranes[lane].slack(h_);
             for (int c = 0; c < 4; ++c) four.particles[c][lane] = cell.particles[c];
             four.perWidth[lane] = 1 / cell.width;
             four.perHeight[lane] = 1 / cell.height;
@@ -229,8 +177,9 @@ void XpbdSweep::compileCells() {
             for (int c = 0; c < 4; ++c) four.compliance[c][lane] = slack.compliance[c];
             four.compliance[4][lane] = compliance(areaOf(cell) * cell.stiffness.c33);
         }
+        curvedCells_.add(membranes, model_.tensionCurves);
     }
-    if (curved) cellLaw_ = std::move(law);
+    if (curvedCells_.areLinear()) curvedCells_ = {};
 }
 
 void XpbdSweep::compileHinges() {
@@ -260,17 +209,17 @@ void XpbdSweep::apply(std::span<Vec3> positions, Team* team) {
         return std::span(elements).subspan(begin, end - begin);
     };
     Place* const places = places_.data();
+    const TensionLaw triangleLaw = curvedTriangles_.law(h_), cellLaw = curvedCells_.law(h_);
     inParts(team, particles, leastShare.particles, [&](int begin, int end) {
         for (int p = begin; p < end; ++p) static_cast<Vec3&>(places_[p]) = positions[p];
     });
     byColours(team, borders_.springs, leastShare.springs,
               [&](int begin, int end) { kernels_.springs(places, part(springs_, begin, end)); });
     byColours(team, borders_.triangles, leastShare.triangles, [&](int begin, int end) {
-        kernels_.triangles(places, part(triangles_, begin, end), cap_, triangleLaw_.get(), begin);
+        kernels_.triangles(places, part(triangles_, begin, end), cap_, triangleLaw, begin);
     });
-    byColours(team, borders_.cells, leastShare.cells, [&](int begin, int end) {
-        kernels_.cells(places, part(cells_, begin, end), cap_, cellLaw_.get(), begin);
-    });
+    byColours(team, borders_.cells, leastShare.cells,
+              [&](int begin, int end) { kernels_.cells(places, part(cells_, begin, end), cap_, cellLaw, begin); });
     byColours(team, borders_.threePoint, leastShare.stencils,
               [&](int begin, int end) { kernels_.threePoint(places, part(threePoint_, begin, end)); });
     byColours(team, borders_.fourPoint, leastShare.stencils,
@@ -286,7 +235,7 @@ void XpbdSweep::apply(std::span<Vec3> positions, Team* team) {
 std::size_t XpbdSweep::bytes() const {
     const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
     return of(places_) + of(springs_) + of(threePoint_) + of(fourPoint_) + of(triangles_) + of(cells_) + of(hinges_) +
-           joints_.bytes();
+           curvedTriangles_.bytes() + curvedCells_.bytes() + joints_.bytes();
 }
 
 } // namespace toile::dynamics

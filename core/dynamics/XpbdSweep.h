@@ -3,11 +3,11 @@
 
 #include "core/base/Team.h"
 #include "core/cloth/ClothModel.h"
+#include "core/dynamics/CurvedMembranes.h"
 #include "core/dynamics/JointSweep.h"
 #include "core/dynamics/SweepKernels.h"
 
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -53,7 +53,7 @@ private:
         std::vector<int> springs, triangles, cells, threePoint, fourPoint, hinges;
     };
     Borders borders_;
-    std::unique_ptr<const TensionLaw> triangleLaw_, cellLaw_; ///< null where all is linear
+    CurvedMembranes curvedTriangles_, curvedCells_; ///< empty where all is linear
 };
 
 } // namespace toile::dynamics
