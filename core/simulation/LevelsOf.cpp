@@ -12,12 +12,14 @@ constexpr double leastMass = 0.05; ///< of a coarse particle over the mean of it
 
 } // namespace
 
-int coarseLevelsFor(int substeps) {
-    constexpr int bearable = 60, fewest = 24;
-    if (substeps <= bearable) return 0;
+LevelPlan levelPlanFor(int substeps, bool oneMore) {
+    constexpr int bearable = 60, fewest = 24, many = 30, enough = 28, fine = 2;
+    if (substeps <= bearable) return {0, substeps};
+    const auto leftBy = [&](int levels) { return (substeps + (1 << levels) - 1) >> levels; };
     int levels = 0;
-    while ((substeps + (2 << levels) - 1) >> (levels + 1) >= fewest) ++levels;
-    return levels;
+    while (leftBy(levels + 1) >= fewest) ++levels;
+    if (oneMore && levels >= fine && leftBy(levels) > many) return {levels + 1, enough};
+    return {levels, leftBy(levels)};
 }
 
 dynamics::LevelMesh levelMeshOf(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh,

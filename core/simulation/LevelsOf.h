@@ -9,9 +9,13 @@
 
 namespace toile::simulation {
 
-/// How many coarse levels a cloth is worth that would need so many substeps: none up to 60, then as many as leave 24 of
-/// them, for each level halves their number.
-[[nodiscard]] int coarseLevelsFor(int substeps);
+/// How many coarse levels correct a cloth, and how many substeps are left of those it would need alone.
+struct LevelPlan {
+    int levels = 0, substeps = 0;
+};
+/// None up to 60 substeps. Each level halves their number, down to 24 at least. Where more than 30 are left by two
+/// levels or more, one more leaves 28, if pieces are wide enough for it.
+[[nodiscard]] LevelPlan levelPlanFor(int substeps, bool oneMore = true);
 
 /// The surface of a meshed pattern in the words of the hierarchy; nodes of merged seams are one particle. Every piece
 /// has its fabric.

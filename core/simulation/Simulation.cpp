@@ -195,21 +195,25 @@ dynamics::ContactMemory Simulation::contactMemory() const {
 /// Substeps of position-based steps, and the coarse levels that make them few.
 void Simulation::planSubsteps() {
     const bool sewing = phase_ == Phase::sewing;
-    substeps_ = scene_.settings.substeps > 0
-                    ? scene_.settings.substeps
-                    : dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
-                                            loadOf(scene_));
-    const int levels = coarseLevelsFor(substeps_);
+    substeps_ = scene_.settings.substeps > 0 ? scene_.settings.substeps : fullSubsteps();
+    // Beside a body that moves levels have no memory, and three would mislead cloth that two help.
+    const LevelPlan corrected = levelPlanFor(substeps_, takesOneMore_ && !motion_);
     plannedLevels_ = 0;
     areLevelsDue_ = false;
     if (sewing) plan_.leaveOut("coarse levels", "cloth that yields sews well");
     else if (scene_.settings.substeps > 0) plan_.leaveOut("coarse levels", "the scene says how many substeps");
     else if (drapingMethod_ != dynamics::Method::xpbd) plan_.leaveOut("coarse levels", "no position-based steps");
-    else if (levels == 0) plan_.leaveOut("coarse levels", fmt::format("{} substeps suffice", substeps_));
+    else if (corrected.levels == 0) plan_.leaveOut("coarse levels", fmt::format("{} substeps suffice", substeps_));
     else if (!levelsMayHelp()) plan_.leaveOut("coarse levels", "only while a garment falls into its place");
-    else planLevels(levels);
+    else planLevels(corrected);
     if (!grips_->empty() && scene_.settings.substeps == 0) substeps_ = std::max(substeps_, handSubsteps);
     if (sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
+}
+
+/// Those of a cloth that no level corrects.
+int Simulation::fullSubsteps() const {
+    return dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
+                                 loadOf(scene_));
 }
 
 /// Fine cloth may go on trembling by levels where it is crumpled; hands move it anyway. What came to rest by them stays
@@ -223,11 +227,11 @@ double Simulation::shakingTime() const {
     return goesOnAsItLay_ ? dressing.editShakingTime : dressing.shakingTime;
 }
 
-void Simulation::planLevels(int levels) {
+void Simulation::planLevels(const LevelPlan& corrected) {
     if (!whyNoLevels_.empty()) return plan_.leaveOut("coarse levels", whyNoLevels_);
-    plannedLevels_ = levels;
+    plannedLevels_ = corrected.levels;
     areLevelsDue_ = true;
-    substeps_ = (substeps_ + (1 << levels) - 1) >> levels;
+    substeps_ = corrected.substeps;
 }
 
 /// Not before they are used: after an edit the first changed garment need not wait for them.
@@ -237,8 +241,10 @@ void Simulation::correctByDueLevels() {
     if (!levels_ || levels_->count() != plannedLevels_) {
         auto made = levelsOf(scene_.pattern, overrides_, *garment_, plannedLevels_);
         if (!made) {
-            whyNoLevels_ = made.error().text;
-            return planSubsteps();
+            if (plannedLevels_ > levelPlanFor(fullSubsteps(), false).levels) takesOneMore_ = false;
+            else whyNoLevels_ = made.error().text;
+            planSubsteps();
+            return correctByDueLevels();
         }
         levels_ = std::move(*made);
     }

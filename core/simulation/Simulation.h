@@ -18,6 +18,7 @@
 #include "core/simulation/Frame.h"
 #include "core/simulation/Garment.h"
 #include "core/simulation/Grips.h"
+#include "core/simulation/LevelsOf.h"
 #include "core/simulation/Scene.h"
 #include "core/simulation/SceneParts.h"
 #include "core/simulation/StepPlan.h"
@@ -207,7 +208,8 @@ private:
     [[nodiscard]] Team* teamWorthWaking() const; ///< null: the cloth is too small to share
     [[nodiscard]] Team* teamOfStep() const;      ///< also null where sharing does not pay
     [[nodiscard]] Result<void> drawTaut(std::stop_token stop);
-    void planLevels(int levels);
+    [[nodiscard]] int fullSubsteps() const;
+    void planLevels(const LevelPlan& corrected);
     void correctByDueLevels();
     [[nodiscard]] bool levelsMayHelp() const;
     [[nodiscard]] Result<dynamics::StepReport> moveCloth(double duration, std::stop_token stop);
@@ -266,6 +268,7 @@ private:
     double sewnTime_ = 0;           ///< when the last seam was closed or given up [s]
     double plannedDamping_ = 0;     ///< that of the plan [1/s]
     int plannedLevels_ = 0;         ///< coarse levels of the plan
+    bool takesOneMore_ = true;      ///< one level more than leave 24 substeps, as far as it was tried
     bool areLevelsDue_ = false;     ///< they are to be made, or to forget, before the next step
     std::size_t refusedFactor_ = 0; ///< [B]
     int substeps_ = 0, steps_ = 0;

@@ -122,6 +122,7 @@ Result<bool> Simulation::mergeReadySeams() {
     garment_ = std::make_unique<const Garment>(std::move(*sewn));
     levels_.reset();
     whyNoLevels_.clear();
+    takesOneMore_ = true;
     pinToBody();
     for (std::size_t seam = 0; seam < seams_.size(); ++seam) seams_[seam].merged = garment_->mergedSeams[seam];
     return true;

@@ -77,13 +77,13 @@ Result<dynamics::StepReport> Simulation::moveBesideBody(double duration, std::st
     const int parts = std::max(1, static_cast<int>(std::ceil(way / planReach)));
     constexpr double leastKept = 0.001; // cloth that is to lie on the skin itself does not ask for endless substeps [m]
     const double least = way / (std::max(scene_.settings.skinOffset, leastKept) / 4);
-    const int substeps = static_cast<int>(std::ceil(std::max<double>(substeps_, least) / parts));
     dynamics::StepReport report{.parts = 0};
     for (int part = 0; part < parts; ++part) {
         if (way > 0) {
             rebuildPlan();
             correctByDueLevels();
         }
+        const int substeps = static_cast<int>(std::ceil(std::max<double>(substeps_, least) / parts));
         const auto done = moveInSubsteps(duration / parts, substeps, stop);
         if (!done) return done;
         report += *done;

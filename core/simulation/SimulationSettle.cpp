@@ -20,9 +20,8 @@ constexpr double tautDamping = 10;
 /// takes it more iterations. The clock stands still.
 Result<void> Simulation::drawTaut(std::stop_token stop) {
     const double time = state_.time, duration = scene_.settings.frameStep;
-    const int substeps =
-        dynamics::substepsFor(duration, dynamics::springsOnLongestLine(garment_->model), loadOf(scene_));
-    const bool isSoft = coarseLevelsFor(substeps) > 0 || plan_.find("self-contact") != nullptr;
+    const int substeps = fullSubsteps();
+    const bool isSoft = levelPlanFor(substeps).levels > 0 || plan_.find("self-contact") != nullptr;
     if (drapingMethod_ != dynamics::Method::xpbd || scene_.paper || !isSoft) return {};
     dynamics::Xpbd xpbd(garment_->model, {.damping = tautDamping, .speedLimit = speedLimit});
     xpbd.workWith(teamWorthWaking());

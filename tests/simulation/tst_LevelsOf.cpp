@@ -19,13 +19,21 @@ class tst_LevelsOf : public QObject {
     Q_OBJECT
 private slots:
     void levelsGrowWithTheSubstepsTheySpare() {
-        QCOMPARE(coarseLevelsFor(13), 0);
-        QCOMPARE(coarseLevelsFor(60), 0);
-        QCOMPARE(coarseLevelsFor(61), 1);
-        QCOMPARE(coarseLevelsFor(94), 2);  // the blouse at 10 mm
-        QCOMPARE(coarseLevelsFor(138), 2); // at 7 mm
-        QCOMPARE(coarseLevelsFor(160), 2); // at 6 mm: in 20 substeps its sleeves snap to and fro
-        QCOMPARE(coarseLevelsFor(300), 3); // at 3.2 mm
+        const auto isCorrected = [](int substeps, int levels, int left) {
+            const LevelPlan plan = levelPlanFor(substeps);
+            QCOMPARE(plan.levels, levels);
+            QCOMPARE(plan.substeps, left);
+        };
+        isCorrected(13, 0, 13);
+        isCorrected(60, 0, 60);
+        isCorrected(61, 1, 31);
+        isCorrected(94, 2, 24); // the blouse at 10 mm
+        isCorrected(120, 2, 30);
+        isCorrected(138, 3, 28); // at 7 mm
+        isCorrected(200, 3, 25);
+        isCorrected(300, 4, 28);                      // at 3.2 mm
+        QCOMPARE(levelPlanFor(138, false).levels, 2); // the third is too coarse for a piece
+        QCOMPARE(levelPlanFor(138, false).substeps, 35);
     }
 
     void aStrapNarrowerThanTheirCellsHasNone() { // S34 of the stability suite
@@ -137,17 +145,28 @@ private slots:
         const auto& there = far.mesh.vertices;
         geometry::VertexMotion motion{10, {there, there}};
         for (Vec3& v : motion.poses[1]) v.x += 1e-9;
+        const auto withSubsteps = [&](int substeps) {
+            Scene other = scene;
+            other.settings.substeps = substeps;
+            return Simulation::create(other);
+        };
         auto still = Simulation::create(scene), moving = Simulation::create(scene);
-        QVERIFY(still && moving);
+        auto many = withSubsteps(176), without = withSubsteps(44);
+        QVERIFY(still && moving && many && without);
         QVERIFY(moving->moveBody(std::make_shared<const geometry::VertexMotion>(std::move(motion))));
-        double apart = 0;
-        for (int frame = 0; frame < 5; ++frame) {
-            QVERIFY(still->advance() && moving->advance());
-            for (std::size_t p = 0; p < still->state().positions.size(); ++p)
-                apart = std::max(apart, geometry::distance(still->state().positions[p], moving->state().positions[p]));
-        }
-        // Each plan's levels begin without a memory; without levels the cloth is 32 mm off.
-        QVERIFY2(apart < 0.005, qPrintable(QString::number(apart)));
+        for (auto* simulation : {&still, &moving, &many, &without})
+            for (int frame = 0; frame < 5; ++frame) QVERIFY((*simulation)->advance());
+        QCOMPARE(still->substeps(), 28);
+        QCOMPARE(moving->substeps(), 44); // each plan's levels begin without a memory: there is none more
+        const auto off = [&](const Simulation& by) {
+            double most = 0;
+            for (std::size_t p = 0; p < by.state().positions.size(); ++p)
+                most = std::max(most, geometry::distance(by.state().positions[p], many->state().positions[p]));
+            return most;
+        };
+        QVERIFY2(off(*moving) < 0.002, qPrintable(QString::number(off(*moving))));
+        QVERIFY2(off(*still) < 0.005, qPrintable(QString::number(off(*still))));
+        QVERIFY2(off(*without) > 0.01, qPrintable(QString::number(off(*without))));
     }
 
     void clothThatDoesNotRestGoesOnWithout() {
