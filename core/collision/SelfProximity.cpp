@@ -4,6 +4,7 @@
 #include "core/base/Contracts.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <limits>
 #include <map>
@@ -107,9 +108,10 @@ int SelfProximity::build(std::span<int> triangles, std::span<const Vec3> centres
     return node;
 }
 
-/// Boxes round those of the vertices.
+/// Boxes round those of the vertices; where some are flagged, those that hold one of them.
 void SelfProximity::fitNodes() {
     for (std::size_t n = nodes_.size(); n-- > 0;) {
+        if (!flagged_.empty() && !flagged_[n]) continue;
         const Node& node = nodes_[n];
         if (node.second >= 0) {
             nodeBoxes_[n] = around(nodeBoxes_[n + 1], nodeBoxes_[node.second]);
@@ -120,25 +122,48 @@ void SelfProximity::fitNodes() {
     }
 }
 
-bool SelfProximity::areLeaves(const NodePair& pair) const {
-    return pair[0] != pair[1] && nodes_[pair[0]].second < 0 && nodes_[pair[1]].second < 0;
+/// Which of them have a flagged vertex below them; none is asked for where no vertex could be.
+void SelfProximity::flagNodes(std::span<const char> vertices) {
+    flagged_.assign(vertices.empty() ? 0 : nodes_.size(), 0);
+    for (std::size_t n = flagged_.size(); n-- > 0;) {
+        const Node& node = nodes_[n];
+        if (node.second >= 0) {
+            flagged_[n] = flagged_[n + 1] || flagged_[node.second];
+        } else {
+            const auto& [a, b, c] = triangles_[node.triangle];
+            flagged_[n] = vertices[a] || vertices[b] || vertices[c];
+        }
+    }
 }
 
-/// What is below two nodes that are no leaves, and near each other; the last is visited first.
+bool SelfProximity::areLeaves(const NodePair& pair) const {
+    return pair.first != pair.second && nodes_[pair.first].second < 0 && nodes_[pair.second].second < 0;
+}
+
+bool SelfProximity::areNear(int first, int second) const {
+    return meet(nodeBoxes_[first], nodeBoxes_[second]) && (flagged_.empty() || flagged_[first] || flagged_[second]);
+}
+
+/// What is below two nodes that are no leaves, and near each other; the last is visited first. Triangles lie at most 29
+/// nodes deep, and a way takes two bits for each.
 void SelfProximity::appendBelow(const NodePair& pair, std::vector<NodePair>& todo) const {
-    const auto [a, b] = pair;
+    const auto [a, b, left, way] = pair;
     const Node &first = nodes_[a], &second = nodes_[b];
+    const auto append = [&, left = left, way = way](int one, int other, int bits, std::uint64_t turn) {
+        if (one == other ? flagged_.empty() || flagged_[one] : areNear(one, other))
+            todo.push_back({one, other, left - bits, way | turn << (left - bits)});
+    };
     if (a == b) {
         if (first.second < 0) return;
-        todo.push_back({first.second, first.second});
-        todo.push_back({a + 1, a + 1});
-        if (meet(nodeBoxes_[a + 1], nodeBoxes_[first.second])) todo.push_back({a + 1, first.second});
+        append(first.second, first.second, 2, 2);
+        append(a + 1, a + 1, 2, 1);
+        append(a + 1, first.second, 2, 0);
     } else if (second.second < 0 || (first.second >= 0 && first.second - a >= second.second - b)) {
-        if (meet(nodeBoxes_[a + 1], nodeBoxes_[b])) todo.push_back({a + 1, b});
-        if (meet(nodeBoxes_[first.second], nodeBoxes_[b])) todo.push_back({first.second, b});
+        append(a + 1, b, 1, 1);
+        append(first.second, b, 1, 0);
     } else {
-        if (meet(nodeBoxes_[a], nodeBoxes_[b + 1])) todo.push_back({a, b + 1});
-        if (meet(nodeBoxes_[a], nodeBoxes_[second.second])) todo.push_back({a, second.second});
+        append(a, b + 1, 1, 1);
+        append(a, second.second, 1, 0);
     }
 }
 
@@ -157,7 +182,7 @@ void SelfProximity::forNearTriangles(const NodePair& from, const Visit& visit) c
 /// Pairs of nodes, some `count` of them, below which all near leaves are found, in the order of a search from the root.
 std::vector<SelfProximity::NodePair> SelfProximity::sharesOfSearch(std::size_t count) const {
     if (nodes_.empty()) return {};
-    std::vector<NodePair> shares{{0, 0}}, next, below;
+    std::vector<NodePair> shares{NodePair{}}, next, below;
     while (shares.size() < count && shares != next) {
         next = std::move(shares);
         shares.clear();
@@ -173,7 +198,9 @@ std::vector<SelfProximity::NodePair> SelfProximity::sharesOfSearch(std::size_t c
 
 SelfProximity::Pairs SelfProximity::pairsWithin(double reach, std::span<const Vec3> positions, std::size_t most) {
     for (std::size_t v = 0; v < vertexBoxes_.size(); ++v) vertexBoxes_[v] = {{positions[v], positions[v]}, 0.5 * reach};
-    return collect(positions, most, nullptr,
+    reach_ = -1;
+    flagNodes({});
+    return collect(positions, most, nullptr, {},
                    [&](const ElementPair&, const Separation& at) { return at.distance <= reach; });
 }
 
@@ -181,12 +208,14 @@ SelfProximity::Pairs SelfProximity::pairsWithin(double reach, std::span<const Ve
 /// less than at both.
 SelfProximity::Pairs SelfProximity::pairsInStep(double reach, std::span<const Vec3> positions,
                                                 std::span<const Vec3> moves, std::size_t most, Team* team) {
+    reach_ = reach;
+    flagNodes({});
     std::vector<Vec3> ends(positions.size());
     for (std::size_t v = 0; v < ends.size(); ++v) {
         ends[v] = positions[v] + moves[v];
         vertexBoxes_[v] = {{positions[v], positions[v]}, 0.5 * reach, moves[v]};
     }
-    return collect(positions, most, team, [&](const ElementPair& pair, const Separation& start) {
+    return collect(positions, most, team, {}, [&](const ElementPair& pair, const Separation& start) {
         if (start.distance <= reach) return true;
         const Vec3 direction = start.way / start.distance;
         return gapAlong(direction, pair, positions) <= reach || gapAlong(direction, pair, ends) <= reach;
@@ -197,45 +226,67 @@ SelfProximity::Pairs SelfProximity::pairsInBoxes(double reach, std::span<const V
                                                  std::span<const geometry::Box3> boxes, std::size_t most, Team* team) {
     for (std::size_t v = 0; v < vertexBoxes_.size(); ++v)
         vertexBoxes_[v] = {{positions[v] + boxes[v].low, positions[v] + boxes[v].high}, 0.5 * reach};
-    return collect(positions, most, team, [&](const ElementPair& pair, const Separation& start) {
+    reach_ = reach;
+    flagNodes({});
+    return collect(positions, most, team, {}, [&](const ElementPair& pair, const Separation& start) {
         return start.distance <= reach || leastGapAlong(start.way / start.distance, pair, positions, boxes) <= reach;
     });
 }
 
-/// keep(pair) for the pairs of elements that two triangles speak for and whose boxes meet.
+SelfProximity::Pairs SelfProximity::pairsOfFlagged(std::span<const char> flagged, std::span<const Vec3> positions,
+                                                   std::span<const Vec3> moves, std::size_t most, Team* team) {
+    expects(reach_ >= 0, "a search along ways came before");
+    flagNodes(flagged);
+    for (std::size_t v = 0; v < vertexBoxes_.size(); ++v)
+        if (flagged[v]) vertexBoxes_[v] = {{positions[v], positions[v]}, 0.5 * reach_, moves[v]};
+    return collect(positions, most, team, flagged, [&](const ElementPair& pair, const Separation& start) {
+        if (start.distance <= reach_) return true;
+        const Vec3 direction = start.way / start.distance;
+        std::array<Vec3, 4> ends;
+        for (int i = 0; i < 4; ++i) ends[i] = positions[pair.vertices[i]] + moves[pair.vertices[i]];
+        return gapAlong(direction, pair, positions) <= reach_ ||
+               gapAlong(direction, {{0, 1, 2, 3}, pair.firstCount}, ends) <= reach_;
+    });
+}
+
+/// keep(pair, number) for the pairs of elements that two triangles speak for and whose boxes meet; numbers rise, up
+/// to 15.
 template <class Keep>
 void SelfProximity::visitElements(const NodePair& leaves, const Keep& keep) const {
-    const auto cornersAgainst = [&](int speaker, int node) {
+    const auto cornersAgainst = [&](int speaker, int node, int number) {
         const auto& corners = triangles_[nodes_[node].triangle];
-        for (const int v : represented_[speaker].corners)
-            if (v >= 0 && meet(vertexBoxes_[v], nodeBoxes_[node]) && !has(corners, v))
-                keep({{v, corners[0], corners[1], corners[2]}, 1});
+        for (int k = 0; k < 3; ++k)
+            if (const int v = represented_[speaker].corners[k];
+                v >= 0 && meet(vertexBoxes_[v], nodeBoxes_[node]) && !has(corners, v))
+                keep({{v, corners[0], corners[1], corners[2]}, 1}, number + k);
     };
     const auto boxOf = [&](const std::array<int, 2>& edge) {
         return around(vertexBoxes_[edge[0]], vertexBoxes_[edge[1]]);
     };
-    const auto [a, b] = leaves;
+    const int a = leaves.first, b = leaves.second;
     const int first = nodes_[a].triangle, second = nodes_[b].triangle;
-    cornersAgainst(first, b);
-    cornersAgainst(second, a);
-    for (const int e : represented_[first].edges) {
+    cornersAgainst(first, b, 0);
+    cornersAgainst(second, a, 3);
+    for (int i = 0; i < 3; ++i) {
+        const int e = represented_[first].edges[i];
         if (e < 0) continue;
         const auto& edge = edges_[e].vertices;
         const SweptBox box = boxOf(edge);
         if (!meet(box, nodeBoxes_[b])) continue;
-        for (const int f : represented_[second].edges) {
+        for (int k = 0; k < 3; ++k) {
+            const int f = represented_[second].edges[k];
             if (f < 0) continue;
             const auto& other = edges_[f].vertices;
             if (!has(other, edge[0]) && !has(other, edge[1]) && meet(box, boxOf(other)))
-                keep({{edge[0], edge[1], other[0], other[1]}, 2});
+                keep({{edge[0], edge[1], other[0], other[1]}, 2}, 6 + 3 * i + k);
         }
     }
 }
 
-/// The pairs whose boxes meet and of which mayMeet(pair, separation) says so.
+/// The pairs whose boxes meet and of which mayMeet(pair, separation) says so; those with a flagged vertex, if any is.
 template <class MayMeet>
 SelfProximity::Pairs SelfProximity::collect(std::span<const Vec3> positions, std::size_t most, Team* team,
-                                            const MayMeet& mayMeet) {
+                                            std::span<const char> flagged, const MayMeet& mayMeet) {
     constexpr std::size_t wanted = 64; ///< many more than threads, for they take unequal times
     fitNodes();
     const std::vector<NodePair> shares = sharesOfSearch(team && team->members() > 1 ? wanted : 1);
@@ -244,9 +295,11 @@ SelfProximity::Pairs SelfProximity::collect(std::span<const Vec3> positions, std
     const auto search = [&](int s) {
         forNearTriangles(shares[s], [&](const NodePair& leaves) {
             const std::size_t before = found[s].size();
-            visitElements(leaves, [&](const ElementPair& pair) {
+            visitElements(leaves, [&](const ElementPair& pair, int number) {
+                if (!flagged.empty() && std::ranges::none_of(pair.vertices, [&](int v) { return flagged[v]; })) return;
                 const Separation separation = separationOf(pair, positions);
-                if (mayMeet(pair, separation)) found[s].push_back({pair, separation.distance});
+                if (mayMeet(pair, separation))
+                    found[s].push_back({pair, separation.distance, leaves.way | static_cast<std::uint64_t>(number)});
             });
             const std::size_t more = found[s].size() - before;
             return (more > 0 ? count.fetch_add(more, std::memory_order_relaxed) + more
@@ -265,6 +318,8 @@ SelfProximity::Pairs SelfProximity::collect(std::span<const Vec3> positions, std
 
 std::vector<Piercing> SelfProximity::piercings(std::span<const Vec3> positions) {
     for (std::size_t v = 0; v < vertexBoxes_.size(); ++v) vertexBoxes_[v] = {{positions[v], positions[v]}, 0};
+    reach_ = -1;
+    flagNodes({});
     fitNodes();
     std::vector<Piercing> found;
     const auto edgesAgainst = [&](int speaker, int triangle) {
@@ -280,7 +335,7 @@ std::vector<Piercing> SelfProximity::piercings(std::span<const Vec3> positions) 
     };
     for (const NodePair& whole : sharesOfSearch(1))
         forNearTriangles(whole, [&](const NodePair& leaves) {
-            const int first = nodes_[leaves[0]].triangle, second = nodes_[leaves[1]].triangle;
+            const int first = nodes_[leaves.first].triangle, second = nodes_[leaves.second].triangle;
             edgesAgainst(first, second);
             edgesAgainst(second, first);
             return true;
@@ -292,7 +347,7 @@ std::vector<Piercing> SelfProximity::piercings(std::span<const Vec3> positions) 
 std::size_t SelfProximity::bytes() const {
     return triangles_.capacity() * sizeof(geometry::TriangleIndices) + edges_.capacity() * sizeof(SurfaceEdge) +
            represented_.capacity() * sizeof(Represented) + nodes_.capacity() * sizeof(Node) +
-           (vertexBoxes_.capacity() + nodeBoxes_.capacity()) * sizeof(SweptBox);
+           (vertexBoxes_.capacity() + nodeBoxes_.capacity()) * sizeof(SweptBox) + flagged_.capacity();
 }
 
 } // namespace toile::collision

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -46,6 +47,8 @@ public:
     struct Near {
         ElementPair pair;
         double distance = 0;
+        std::uint64_t order =
+            0; ///< where it stands among all pairs there could be: lists of several searches can be merged
     };
     /// Nothing when there are more than were asked for: then none is kept.
     using Pairs = std::optional<std::vector<Near>>;
@@ -63,6 +66,11 @@ public:
                                      std::span<const geometry::Box3> boxes, std::size_t most = unlimited,
                                      Team* team = nullptr);
 
+    /// The last of these two searches again, for the pairs that have a flagged vertex: these go from their positions by
+    /// their moves in that time, the others stay as they were in it. Only what flagged vertices reach is gone through.
+    [[nodiscard]] Pairs pairsOfFlagged(std::span<const char> flagged, std::span<const Vec3> positions,
+                                       std::span<const Vec3> moves, std::size_t most = unlimited, Team* team = nullptr);
+
     /// Edges that pass through triangles they have no corner in common with, in rising order.
     [[nodiscard]] std::vector<Piercing> piercings(std::span<const Vec3> positions);
 
@@ -79,7 +87,15 @@ private:
     void findEdges();
     int build(std::span<int> triangles, std::span<const Vec3> centres);
     void fitNodes();
-    using NodePair = std::array<int, 2>;
+    void flagNodes(std::span<const char> vertices);
+    /// Two nodes, and the way from the root to them: what is visited earlier has the lower one.
+    struct NodePair {
+        int first = 0, second = 0;
+        int left = 64; ///< bits of the way that are not used yet
+        std::uint64_t way = 0;
+        friend bool operator==(const NodePair&, const NodePair&) = default;
+    };
+    [[nodiscard]] bool areNear(int first, int second) const;
     void appendBelow(const NodePair& pair, std::vector<NodePair>& todo) const;
     [[nodiscard]] bool areLeaves(const NodePair& pair) const;
     template <class Visit>
@@ -88,13 +104,16 @@ private:
     template <class Keep>
     void visitElements(const NodePair& leaves, const Keep& keep) const;
     template <class MayMeet>
-    Pairs collect(std::span<const Vec3> positions, std::size_t most, Team* team, const MayMeet& mayMeet);
+    Pairs collect(std::span<const Vec3> positions, std::size_t most, Team* team, std::span<const char> flagged,
+                  const MayMeet& mayMeet);
 
     std::vector<geometry::TriangleIndices> triangles_;
     std::vector<SurfaceEdge> edges_;
     std::vector<Represented> represented_;
     std::vector<Node> nodes_;
     std::vector<SweptBox> vertexBoxes_, nodeBoxes_;
+    std::vector<char> flagged_; ///< nodes below which a vertex is flagged; empty = all vertices count
+    double reach_ = -1;         ///< of the last search along ways; negative = boxes are not of one [m]
 };
 
 } // namespace toile::collision

@@ -41,9 +41,12 @@ SelfContact::SelfContact(const cloth::ClothModel& model, ClothSurface surface, S
 std::size_t SelfContact::bytes() const {
     const std::size_t vectors =
         from_.capacity() + moves_.capacity() + wanted_.capacity() + anchors_.capacity() + iterationStart_.capacity();
-    return vectors * sizeof(Vec3) + flags_.capacity() + watches_.capacity() * sizeof(Watch) +
-           contacts_.capacity() * sizeof(Contact) + rubbing_.capacity() * sizeof(Rubbing) +
-           coming_.capacity() * sizeof(Coming) + margins_.capacity() * sizeof(Margin) +
+    const auto pairs = [](const auto& now, const auto& before) {
+        return (now.capacity() + before.capacity()) * sizeof(now[0]);
+    };
+    return vectors * sizeof(Vec3) + flags_.capacity() + strayed_.capacity() + pairs(watches_, before_.watches) +
+           pairs(contacts_, before_.contacts) + pairs(margins_, before_.margins) +
+           rubbing_.capacity() * sizeof(Rubbing) + coming_.capacity() * sizeof(Coming) +
            awake_.capacity() * sizeof(std::size_t) + (proximity_ ? proximity_->bytes() : 0);
 }
 
@@ -60,7 +63,7 @@ void SelfContact::project(Substep& substep) {
     seenUntil_ = substep.time;
     double from = strayed(substep);
     if (!(from <= slack_)) {
-        if (!foresee(substep)) return standStill(substep);
+        if (!renew(substep) && !foresee(substep)) return standStill(substep);
         from = strayed(substep);
     }
     wake(from, substep);
@@ -68,6 +71,7 @@ void SelfContact::project(Substep& substep) {
     uncross(substep);
     placeSlaves(substep.positions);
     if (holdApart(substep) <= slack_) return;
+    if (renew(substep) && holdApart(substep) <= slack_) return;
     if (seekOnAllWays(substep)) static_cast<void>(holdApart(substep));
     else standStill(substep);
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <span>
@@ -85,6 +86,8 @@ public:
     [[nodiscard]] bool guaranteed() const { return !mayPierce_ && surface_.becomes.empty(); }
     /// How often neighbours were sought, and how many pairs are near now.
     [[nodiscard]] int searches() const { return searches_; }
+    /// How often they were sought only round the particles that had strayed.
+    [[nodiscard]] int renewals() const { return renewals_; }
     [[nodiscard]] std::size_t nearPairs() const { return watches_.size(); }
     /// How often `mostPairs` would have been exceeded, so that less was looked ahead.
     [[nodiscard]] int shortSearches() const { return shortSearches_; }
@@ -94,13 +97,14 @@ private:
     struct Watch {
         collision::ElementPair elements;
         double target = 0; ///< distance to be kept [m]
-        double known = 0;  ///< distance where neighbours were last sought [m]
+        double known = 0;  ///< distance at from_ [m]
         double before = 0,
-               now = 0; ///< the distance is at least this, at the start of the substep and at its end [m]
+               now = 0;          ///< the distance is at least this, at the start of the substep and at its end [m]
+        std::uint64_t order = 0; ///< in which pairs are watched, and pushed one after the other
     };
     /// What is read of every pair to see whether it must be woken.
     struct Margin {
-        double distance = 0; ///< beyond its target, where neighbours were last sought [m]
+        double distance = 0; ///< beyond its target, at from_ [m]
         double way = 0;      ///< of its ends against each other, if all go the ways foreseen [m]
         bool isAwake = false;
     };
@@ -151,7 +155,13 @@ private:
     void look(const Watch& watch, Contact& contact, std::span<const Vec3> positions) const;
     [[nodiscard]] static double farthestMove(std::span<const Vec3> from, std::span<const Vec3> to);
 
+    // SelfContactRenewal.cpp
+    [[nodiscard]] bool renew(const Substep& substep);
+    [[nodiscard]] bool foreseeStrayed(const Substep& substep);
+    void replaceFlagged(const std::vector<collision::SelfProximity::Near>& found);
+
     // SelfContactAwake.cpp
+    [[nodiscard]] Margin marginOf(const Watch& watch) const;
     void findMargins(Team* team);
     void wake(double strayed, const Substep& substep);
     void keepFlagged(std::span<const std::size_t> from, std::vector<std::size_t>& kept) const;
@@ -205,8 +215,14 @@ private:
 
     std::optional<collision::SelfProximity> proximity_; ///< from the first step on
     std::vector<Watch> watches_;
-    std::vector<Contact> contacts_;  ///< one per watch
-    std::vector<Margin> margins_;    ///< one per watch, or none yet
+    std::vector<Contact> contacts_; ///< one per watch
+    std::vector<Margin> margins_;   ///< one per watch, or none yet
+    struct Replaced {
+        std::vector<Watch> watches;
+        std::vector<Contact> contacts;
+        std::vector<Margin> margins;
+    };
+    Replaced before_;                ///< a renewal; kept for the memory it has
     std::vector<std::size_t> awake_; ///< pairs that may have come nearer than their target, rising
     std::vector<char> flags_;        ///< of pairs, while some are chosen
     double awakeDone_ = 0,
@@ -216,12 +232,13 @@ private:
     bool mayPierce_ = true;                         ///< until a search has found no piercing
     std::vector<Vec3> from_,
         moves_;                         ///< where particles were when neighbours were sought, the ways foreseen [m]
+    std::vector<char> strayed_;         ///< flags of particles, while some are foreseen anew
     double fromTime_ = 0, horizon_ = 0; ///< when that was, how long the ways take [s]
     double ahead_ = 1;                  ///< part of what should be looked ahead for which pairs are not too many [–]
     double slack_ = 0, staticMove_ = 0; ///< of the settings, what holds for the pairs watched now [m]
     double frame_ = 0;                  ///< duration of the step [s]
     double seenUntil_ = 0;              ///< the end of the last substep [s]
-    int searches_ = 0, shortSearches_ = 0, heldBack_ = 0;
+    int searches_ = 0, renewals_ = 0, shortSearches_ = 0, heldBack_ = 0;
     std::vector<std::size_t> touching_; ///< pairs to be pushed in this substep, or to be held apart
     std::vector<Vec3> wanted_;          ///< where particles would go before their ways are shortened [m]
     std::vector<double> fraction_;      ///< of its way that a particle goes; empty until one is shortened

@@ -18,18 +18,19 @@ constexpr double rounding = 1e-12; // [m]
 
 } // namespace
 
+SelfContact::Margin SelfContact::marginOf(const Watch& watch) const {
+    const auto& v = watch.elements.vertices;
+    double squared = 0;
+    for (int i = 0; i < watch.elements.firstCount; ++i)
+        for (int k = watch.elements.firstCount; k < 4; ++k)
+            squared = std::max(squared, squaredLength(moves_[v[i]] - moves_[v[k]]));
+    return {watch.known - watch.target - rounding, std::sqrt(squared)};
+}
+
 void SelfContact::findMargins(Team* team) {
     margins_.resize(watches_.size());
     inParts(team, static_cast<int>(watches_.size()), leastPairs, [&](int begin, int end) {
-        for (int w = begin; w < end; ++w) {
-            const Watch& watch = watches_[w];
-            const auto& v = watch.elements.vertices;
-            double squared = 0;
-            for (int i = 0; i < watch.elements.firstCount; ++i)
-                for (int k = watch.elements.firstCount; k < 4; ++k)
-                    squared = std::max(squared, squaredLength(moves_[v[i]] - moves_[v[k]]));
-            margins_[w] = {watch.known - watch.target - rounding, std::sqrt(squared)};
-        }
+        for (int w = begin; w < end; ++w) margins_[w] = marginOf(watches_[w]);
     });
 }
 

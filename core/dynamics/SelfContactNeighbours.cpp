@@ -19,6 +19,9 @@ using collision::Separation;
 /// Part of the distance at rest that compressed cloth may fall to before its own parts push each other [–].
 constexpr double usedRoom = 0.5;
 
+/// What the first list is for, half of it [substeps]: seams that have just merged let go of cloth in all directions.
+constexpr int tentative = 2;
+
 /// One of all ways to name a pair.
 ElementPair inOrder(ElementPair pair) {
     auto& v = pair.vertices;
@@ -52,12 +55,13 @@ double SelfContact::strayed(const Substep& substep) const {
 }
 
 /// Seeks neighbours for one frame step ahead, as if particles went on as in this substep. For less where the last list
-/// did not hold so long: of cloth in tumult only the next few substeps can be foreseen, and a longer look finds more
-/// pairs that never meet. For less, too, where that brings too many near.
+/// did not hold so long, or there was none: of cloth in tumult only the next few substeps can be foreseen, and a longer
+/// look finds more pairs that never meet. For less, too, where that brings too many near.
 bool SelfContact::foresee(const Substep& substep) {
     prepareSearch(substep.previous);
     const double start = substep.time - substep.duration, frame = std::max(frame_, substep.duration);
-    const double longest = from_.empty() ? frame : std::clamp(2 * (start - fromTime_), substep.duration, frame);
+    const double lasted = searches_ == 0 ? tentative * substep.duration : from_.empty() ? frame : start - fromTime_;
+    const double longest = std::clamp(2 * lasted, substep.duration, frame);
     fromTime_ = start;
     moves_.resize(substep.positions.size());
     for (ahead_ = std::min(1.0, 2 * ahead_); ahead_ >= leastAhead; ahead_ *= 0.5) {
@@ -151,9 +155,9 @@ bool SelfContact::watch(const collision::SelfProximity::Pairs& pairs, std::span<
     isComingKnown_ = false;
     watches_.reserve(pairs->size());
     contacts_.reserve(pairs->size());
-    for (const auto& [pair, distance] : *pairs) {
+    for (const auto& [pair, distance, order] : *pairs) {
         if (isIgnored(pair) || (!crossed.empty() && crossed.contains(inOrder(pair)))) continue;
-        watches_.push_back({pair, targetOf(pair), distance, distance, distance});
+        watches_.push_back({pair, targetOf(pair), distance, distance, distance, order});
         contacts_.push_back(contactOf(pair));
         if (const auto known = pressed.find(pair); known != pressed.end()) contacts_.back().normalForce = known->second;
     }

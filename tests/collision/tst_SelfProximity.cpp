@@ -122,6 +122,7 @@ private slots:
     void findsEveryPairThatBoxesLetMeet();
     void whatFliesTogetherIsNoNearer();
     void aTeamFindsTheSameInTheSameOrder();
+    void whatIsFlaggedIsFoundAsInAWholeSearch();
     void morePairsThanAskedForAreNone();
     void elementsWithACommonCornerAreNoPair();
     void piercingsAreThoseOfTheReferee();
@@ -265,6 +266,40 @@ void tst_SelfProximity::aTeamFindsTheSameInTheSameOrder() {
                     return a.pair == b.pair && a.distance == b.distance;
                 }));
         QVERIFY(!proximity.pairsInStep(0.002, x, moves, alone.size() - 1, &team));
+    }
+}
+
+/// Some vertices go other ways than in the search before: pairs that have one of them are those of a search for all.
+void tst_SelfProximity::whatIsFlaggedIsFoundAsInAWholeSearch() {
+    const int n = 20;
+    const double reach = 0.002;
+    const auto isSame = [](const auto& a, const auto& b) {
+        return a.pair == b.pair && a.distance == b.distance && a.order == b.order;
+    };
+    for (const unsigned one : {2U, 7U, 25U, 1U}) { // of so many is flagged
+        std::mt19937 random(one);
+        SelfProximity proximity(sheetTriangles(n), flatSheet(n, 0.01)), whole(sheetTriangles(n), flatSheet(n, 0.01));
+        std::vector<Vec3> x = crumpled(n, random), moves = scattered(x.size(), 0.003, random);
+        QVERIFY(proximity.pairsInStep(reach, x, moves));
+        std::vector<char> flagged(x.size(), 0);
+        for (std::size_t v = 0; v < x.size(); ++v)
+            if (random() % one == 0) {
+                flagged[v] = 1;
+                x[v] += scattered(1, 0.004, random)[0];
+                moves[v] = scattered(1, 0.02, random)[0];
+            }
+        auto all = *whole.pairsInStep(reach, x, moves);
+        QVERIFY(std::ranges::is_sorted(all, std::ranges::less{}, &SelfProximity::Near::order));
+        QVERIFY(std::ranges::adjacent_find(all, {}, &SelfProximity::Near::order) == all.end());
+        std::erase_if(all, [&](const auto& near) {
+            return std::ranges::none_of(near.pair.vertices, [&](int v) { return flagged[v] != 0; });
+        });
+        const auto found = proximity.pairsOfFlagged(flagged, x, moves);
+        QVERIFY(found && found->size() > 50 && std::ranges::equal(*found, all, isSame));
+        Team team(2);
+        const auto shared = proximity.pairsOfFlagged(flagged, x, moves, all.size(), &team);
+        QVERIFY(shared && std::ranges::equal(*shared, all, isSame));
+        QVERIFY(!proximity.pairsOfFlagged(flagged, x, moves, all.size() - 1));
     }
 }
 

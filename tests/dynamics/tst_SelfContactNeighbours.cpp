@@ -35,11 +35,11 @@ struct OneSubstep {
           contact(c.model, c.surface, settings) {
         for (std::size_t p = 0; p < inverseMass.size(); ++p) inverseMass[p] = 1 / c.model.mass[p];
     }
-    /// Returns where it let them go.
-    std::vector<Vec3> go(std::vector<Vec3> positions) {
+    /// Returns where it let them go in the substep of this number.
+    std::vector<Vec3> go(std::vector<Vec3> positions, int number = 1) {
         constexpr double duration = frame / 20;
-        contact.beginStep({previous, {}, 0}, frame);
-        dynamics::Substep substep{positions, previous, inverseMass, duration, duration};
+        contact.beginStep({previous, {}, (number - 1) * duration}, frame);
+        dynamics::Substep substep{positions, previous, inverseMass, duration, number * duration};
         contact.project(substep);
         return positions;
     }
@@ -55,7 +55,8 @@ std::size_t pairsWhenOneFalls(const Cloth& cloth, double way) {
     std::vector<Vec3> positions = cloth.state.positions;
     positions[positions.size() * 3 / 4].y -= way; // in the middle of the upper sheet
     const std::vector<Vec3> held = substep.go(positions);
-    if (held[positions.size() * 3 / 4].y <= 0 || substep.contact.searches() != 2) return 0;
+    if (held[positions.size() * 3 / 4].y <= 0 || substep.contact.searches() != 1 || substep.contact.renewals() != 1)
+        return 0;
     return substep.contact.nearPairs();
 }
 
@@ -80,6 +81,8 @@ class tst_SelfContactNeighbours : public QObject {
     Q_OBJECT
 private slots:
     void aFastParticleBringsItsOwnNeighboursOnly();
+    void whoStraysIsSoughtAlone();
+    void whoeverStraysLayersStayApart();
     void noPairIsMissedWhateverPartOfTheirWaysParticlesGo();
     void besideACrossingAllButWhatMustPassIsWatched();
     void whatWasSoughtBeyondALayerIsHeldBeforeIt();
@@ -98,6 +101,45 @@ void tst_SelfContactNeighbours::aFastParticleBringsItsOwnNeighboursOnly() {
     const std::size_t slow = pairsWhenOneFalls(cloth, 0.005), fast = pairsWhenOneFalls(cloth, 0.04);
     qInfo("%zu pairs within reach when it goes 5 mm, %zu when it goes 40 mm", slow, fast);
     QVERIFY2(slow > 100000 && fast < slow + slow / 100, qPrintable(QString("%1 and %2 pairs").arg(slow).arg(fast)));
+}
+
+/// It is held where it would have been held by a search for all.
+void tst_SelfContactNeighbours::whoStraysIsSoughtAlone() {
+    const Cloth cloth = twoSheets(10, 0.004);
+    const std::vector<Vec3>& still = cloth.state.positions;
+    std::vector<Vec3> flung = still;
+    const std::size_t one = flung.size() * 3 / 4; // in the middle of the upper sheet
+    flung[one] += Vec3{0.003, -0.01, 0.002};
+    OneSubstep watched(cloth), fresh(cloth);
+    QVERIFY(watched.go(still) == still);
+    QCOMPARE(watched.contact.searches(), 1);
+    const std::vector<Vec3> held = watched.go(flung);
+    QCOMPARE(watched.contact.searches(), 1);
+    QVERIFY(watched.contact.renewals() > 0);
+    QVERIFY(held[one].y > 0 && held[one].y < 0.004);
+    QVERIFY(held == fresh.go(flung));
+}
+
+/// Some are flung far, all others drift, for many substeps.
+void tst_SelfContactNeighbours::whoeverStraysLayersStayApart() {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> part(-1, 1);
+    const auto somewhere = [&](double size) { return size * Vec3{part(random), part(random), part(random)}; };
+    const Cloth cloth = twoSheets(20, 0.003);
+    OneSubstep substep(cloth);
+    collision::SelfProximity referee(cloth.surface.triangles, cloth.state.positions);
+    std::vector<Vec3> velocities(cloth.state.positions.size());
+    for (Vec3& v : velocities) v = somewhere(0.0001);
+    for (int s = 1; s <= 60; ++s) {
+        std::vector<Vec3> wanted = substep.previous;
+        for (std::size_t p = 0; p < wanted.size(); ++p) wanted[p] += velocities[p];
+        for (int k = 0; k < 2; ++k) wanted[random() % wanted.size()] += somewhere(0.01);
+        substep.previous = substep.go(wanted, s);
+        QVERIFY(referee.piercings(substep.previous).empty());
+    }
+    const SelfContact& contact = substep.contact;
+    QVERIFY2(contact.renewals() > contact.searches() && contact.heldBack() == 0,
+             qPrintable(QString("%1, %2 searches").arg(contact.renewals()).arg(contact.searches())));
 }
 
 void tst_SelfContactNeighbours::noPairIsMissedWhateverPartOfTheirWaysParticlesGo() {
