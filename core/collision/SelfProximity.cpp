@@ -122,16 +122,17 @@ void SelfProximity::fitNodes() {
     }
 }
 
-/// Which of them have a flagged vertex below them; none is asked for where no vertex could be.
-void SelfProximity::flagNodes(std::span<const char> vertices) {
-    flagged_.assign(vertices.empty() ? 0 : nodes_.size(), 0);
+/// Finds the nodes that have a flagged vertex below them. Where none is flagged all vertices count.
+void SelfProximity::beginSearch(double reach, std::span<const char> flagged) {
+    reach_ = reach;
+    flagged_.assign(flagged.empty() ? 0 : nodes_.size(), 0);
     for (std::size_t n = flagged_.size(); n-- > 0;) {
         const Node& node = nodes_[n];
         if (node.second >= 0) {
             flagged_[n] = flagged_[n + 1] || flagged_[node.second];
         } else {
             const auto& [a, b, c] = triangles_[node.triangle];
-            flagged_[n] = vertices[a] || vertices[b] || vertices[c];
+            flagged_[n] = flagged[a] || flagged[b] || flagged[c];
         }
     }
 }
@@ -198,8 +199,7 @@ std::vector<SelfProximity::NodePair> SelfProximity::sharesOfSearch(std::size_t c
 
 SelfProximity::Pairs SelfProximity::pairsWithin(double reach, std::span<const Vec3> positions, std::size_t most) {
     for (std::size_t v = 0; v < vertexBoxes_.size(); ++v) vertexBoxes_[v] = {{positions[v], positions[v]}, 0.5 * reach};
-    reach_ = -1;
-    flagNodes({});
+    beginSearch(noWays);
     return collect(positions, most, nullptr, {},
                    [&](const ElementPair&, const Separation& at) { return at.distance <= reach; });
 }
@@ -208,8 +208,7 @@ SelfProximity::Pairs SelfProximity::pairsWithin(double reach, std::span<const Ve
 /// less than at both.
 SelfProximity::Pairs SelfProximity::pairsInStep(double reach, std::span<const Vec3> positions,
                                                 std::span<const Vec3> moves, std::size_t most, Team* team) {
-    reach_ = reach;
-    flagNodes({});
+    beginSearch(reach);
     std::vector<Vec3> ends(positions.size());
     for (std::size_t v = 0; v < ends.size(); ++v) {
         ends[v] = positions[v] + moves[v];
@@ -226,8 +225,7 @@ SelfProximity::Pairs SelfProximity::pairsInBoxes(double reach, std::span<const V
                                                  std::span<const geometry::Box3> boxes, std::size_t most, Team* team) {
     for (std::size_t v = 0; v < vertexBoxes_.size(); ++v)
         vertexBoxes_[v] = {{positions[v] + boxes[v].low, positions[v] + boxes[v].high}, 0.5 * reach};
-    reach_ = reach;
-    flagNodes({});
+    beginSearch(reach);
     return collect(positions, most, team, {}, [&](const ElementPair& pair, const Separation& start) {
         return start.distance <= reach || leastGapAlong(start.way / start.distance, pair, positions, boxes) <= reach;
     });
@@ -236,7 +234,7 @@ SelfProximity::Pairs SelfProximity::pairsInBoxes(double reach, std::span<const V
 SelfProximity::Pairs SelfProximity::pairsOfFlagged(std::span<const char> flagged, std::span<const Vec3> positions,
                                                    std::span<const Vec3> moves, std::size_t most, Team* team) {
     expects(reach_ >= 0, "a search along ways came before");
-    flagNodes(flagged);
+    beginSearch(reach_, flagged);
     for (std::size_t v = 0; v < vertexBoxes_.size(); ++v)
         if (flagged[v]) vertexBoxes_[v] = {{positions[v], positions[v]}, 0.5 * reach_, moves[v]};
     return collect(positions, most, team, flagged, [&](const ElementPair& pair, const Separation& start) {
@@ -318,8 +316,7 @@ SelfProximity::Pairs SelfProximity::collect(std::span<const Vec3> positions, std
 
 std::vector<Piercing> SelfProximity::piercings(std::span<const Vec3> positions) {
     for (std::size_t v = 0; v < vertexBoxes_.size(); ++v) vertexBoxes_[v] = {{positions[v], positions[v]}, 0};
-    reach_ = -1;
-    flagNodes({});
+    beginSearch(noWays);
     fitNodes();
     std::vector<Piercing> found;
     const auto edgesAgainst = [&](int speaker, int triangle) {

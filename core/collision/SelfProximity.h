@@ -87,7 +87,7 @@ private:
     void findEdges();
     int build(std::span<int> triangles, std::span<const Vec3> centres);
     void fitNodes();
-    void flagNodes(std::span<const char> vertices);
+    void beginSearch(double reach, std::span<const char> flagged = {});
     /// Two nodes, and the way from the root to them: what is visited earlier has the lower one.
     struct NodePair {
         int first = 0, second = 0;
@@ -113,7 +113,8 @@ private:
     std::vector<Node> nodes_;
     std::vector<SweptBox> vertexBoxes_, nodeBoxes_;
     std::vector<char> flagged_; ///< nodes below which a vertex is flagged; empty = all vertices count
-    double reach_ = -1;         ///< of the last search along ways; negative = boxes are not of one [m]
+    static constexpr double noWays = -1;
+    double reach_ = noWays; ///< of the last search, if its boxes are round ways [m]
 };
 
 } // namespace toile::collision

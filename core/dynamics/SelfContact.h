@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -142,6 +143,8 @@ private:
     void prepareSearch(std::span<const Vec3> positions);
     [[nodiscard]] std::set<collision::ElementPair> crossedPairs() const;
     [[nodiscard]] bool watch(const collision::SelfProximity::Pairs& pairs, std::span<const Vec3> positions);
+    using Pressed = std::map<collision::ElementPair, double>; ///< normal forces of pairs that had one [N]
+    void add(const collision::SelfProximity::Near& near, const Pressed& pressed);
     [[nodiscard]] bool isIgnored(const collision::ElementPair& pair) const;
     [[nodiscard]] Contact contactOf(const collision::ElementPair& pair) const;
     [[nodiscard]] double targetOf(const collision::ElementPair& pair) const;

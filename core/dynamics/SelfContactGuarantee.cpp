@@ -30,13 +30,13 @@ double SelfContact::holdApart(Substep& substep) {
 }
 
 /// The neighbours that beginIteration() found are all that can meet while no particle goes farther from where it was
-/// then than twice staticMove. Else all ways of this part are looked at.
+/// then than twice staticMove. Else, or where the last were those of substeps, all ways of this part are looked at.
 void SelfContact::hold(std::span<const Vec3> from, std::span<Vec3> positions) {
     Substep way{.positions = positions, .previous = from, .inverseMass = {}, .duration = frame_};
     way.time = fromTime_ + frame_;
     horizon_ = frame_;
     const auto isKnown = [&](std::span<const Vec3> at) { return farthestMove(from_, at) <= 2 * staticMove_; };
-    if (from_.size() == positions.size() && isKnown(from) && isKnown(positions)) {
+    if (!anchors_.empty() && from_.size() == positions.size() && isKnown(from) && isKnown(positions)) {
         moves_.assign(positions.size(), Vec3{}); // nothing was foreseen
         wake(farthestMove(from_, from), way);    // what is apart at the end of the way may be near at its start
         for (const std::size_t i : awake_) watches_[i].before = leastDistance(watches_[i], from);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 
 /// Which pairs of elements are near, and for how long that list holds.
@@ -146,7 +145,7 @@ bool SelfContact::watch(const collision::SelfProximity::Pairs& pairs, std::span<
         return false;
     }
     const std::set<ElementPair> crossed = crossedPairs();
-    std::map<ElementPair, double> pressed;
+    Pressed pressed;
     for (std::size_t i = 0; i < watches_.size(); ++i)
         if (contacts_[i].normalForce > 0) pressed.emplace(watches_[i].elements, contacts_[i].normalForce);
 
@@ -155,18 +154,23 @@ bool SelfContact::watch(const collision::SelfProximity::Pairs& pairs, std::span<
     isComingKnown_ = false;
     watches_.reserve(pairs->size());
     contacts_.reserve(pairs->size());
-    for (const auto& [pair, distance, order] : *pairs) {
-        if (isIgnored(pair) || (!crossed.empty() && crossed.contains(inOrder(pair)))) continue;
-        watches_.push_back({pair, targetOf(pair), distance, distance, distance, order});
-        contacts_.push_back(contactOf(pair));
-        if (const auto known = pressed.find(pair); known != pressed.end()) contacts_.back().normalForce = known->second;
-    }
+    for (const auto& near : *pairs)
+        if (crossed.empty() || !crossed.contains(inOrder(near.pair))) add(near, pressed);
     margins_.clear();
     awake_.clear();
     awakeDone_ = awakeStrayed_ = -1;
     from_.assign(positions.begin(), positions.end());
     ++searches_;
     return true;
+}
+
+/// Watches a pair, unless it is one that a seam brings together.
+void SelfContact::add(const collision::SelfProximity::Near& near, const Pressed& pressed) {
+    const auto& [pair, distance, order] = near;
+    if (isIgnored(pair)) return;
+    watches_.push_back({pair, targetOf(pair), distance, distance, distance, order});
+    contacts_.push_back(contactOf(pair));
+    if (const auto known = pressed.find(pair); known != pressed.end()) contacts_.back().normalForce = known->second;
 }
 
 double SelfContact::targetOf(const ElementPair& pair) const {

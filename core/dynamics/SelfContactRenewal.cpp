@@ -2,7 +2,6 @@
 #include "core/dynamics/SelfContact.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 /// Mostly a handful of particles stray from the ways foreseen for all: they alone are foreseen anew, and only pairs
@@ -14,8 +13,6 @@
 /// they have moved since against each other is counted from there as well.
 namespace toile::dynamics {
 namespace {
-
-using collision::ElementPair;
 
 /// Who is so far from its way is foreseen anew with those that are too far, for it would be next [of the slack].
 constexpr double far = 0.5;
@@ -66,7 +63,7 @@ void SelfContact::replaceFlagged(const std::vector<collision::SelfProximity::Nea
     contacts_.clear();
     margins_.clear();
 
-    std::map<ElementPair, double> pressed;
+    Pressed pressed;
     const auto isFlagged = [&](const Watch& watch) {
         return std::ranges::any_of(watch.elements.vertices, [&](int p) { return strayed_[p] != 0; });
     };
@@ -74,24 +71,20 @@ void SelfContact::replaceFlagged(const std::vector<collision::SelfProximity::Nea
         if (before_.contacts[i].normalForce > 0 && isFlagged(before_.watches[i]))
             pressed.emplace(before_.watches[i].elements, before_.contacts[i].normalForce);
 
-    const auto add = [&](const collision::SelfProximity::Near& near) {
-        if (isIgnored(near.pair)) return;
-        const auto& [pair, distance, order] = near; // at `from`, as are the positions of the search
-        watches_.push_back({pair, targetOf(pair), distance, distance, distance, order});
-        contacts_.push_back(contactOf(pair));
-        if (const auto known = pressed.find(pair); known != pressed.end()) contacts_.back().normalForce = known->second;
-        if (areMarginsKnown) margins_.push_back(marginOf(watches_.back()));
+    const auto addFound = [&](const collision::SelfProximity::Near& near) { // at `from`, as the search was
+        add(near, pressed);
+        if (areMarginsKnown && margins_.size() < watches_.size()) margins_.push_back(marginOf(watches_.back()));
     };
     auto next = found.begin();
     for (std::size_t i = 0; i < before_.watches.size(); ++i) {
         const Watch& watch = before_.watches[i];
         if (isFlagged(watch)) continue;
-        for (; next != found.end() && next->order < watch.order; ++next) add(*next);
+        for (; next != found.end() && next->order < watch.order; ++next) addFound(*next);
         watches_.push_back(watch);
         contacts_.push_back(before_.contacts[i]);
         if (areMarginsKnown) margins_.push_back(before_.margins[i]);
     }
-    for (; next != found.end(); ++next) add(*next);
+    for (; next != found.end(); ++next) addFound(*next);
     awake_.clear();
     awakeDone_ = awakeStrayed_ = -1;
     isComingKnown_ = false;

@@ -30,6 +30,7 @@ private slots:
         isCorrected(94, 2, 24); // the blouse at 10 mm
         isCorrected(120, 2, 30);
         isCorrected(138, 3, 28); // at 7 mm
+        isCorrected(160, 3, 28); // at 6 mm
         isCorrected(200, 3, 25);
         isCorrected(300, 4, 28);                      // at 3.2 mm
         QCOMPARE(levelPlanFor(138, false).levels, 2); // the third is too coarse for a piece
