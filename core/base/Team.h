@@ -51,13 +51,13 @@ private:
     std::vector<std::jthread> helpers_;
 };
 
-/// Cuts 0 … count − 1 into parts of at least `least` and does work(begin, end) with each. Without a team, or where
-/// nothing would be left for a second one, whoever calls does all at once.
+/// Does work(begin, end) with parts of 0 … count − 1. Without a team, or where two members would not have `least` each,
+/// whoever calls does all at once.
 template <class Work>
 void inParts(Team* team, int count, int least, const Work& work) {
     constexpr int perMember = 4; // so that who is late leaves more to the others
-    const int parts = team ? std::min(count / least, perMember * team->members()) : 1;
-    if (parts < 2 || team->members() < 2) return work(0, count);
+    if (!team || team->members() < 2 || count < 2 * least) return work(0, count);
+    const int parts = perMember * std::min(team->members(), count / least);
     const auto border = [&](int part) { return static_cast<int>(std::int64_t{count} * part / parts); };
     team->run(parts, [&](int part) { work(border(part), border(part + 1)); });
 }

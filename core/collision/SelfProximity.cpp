@@ -6,24 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <limits>
-#include <map>
-#include <numeric>
+#include <utility>
 
 namespace toile::collision {
 namespace {
-
-Vec3 lower(const Vec3& a, const Vec3& b) {
-    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-}
-Vec3 higher(const Vec3& a, const Vec3& b) {
-    return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-}
-
-template <class Corners>
-bool has(const Corners& corners, int vertex) {
-    return std::ranges::find(corners, vertex) != corners.end();
-}
 
 /// The least of what a point of the box has along a direction.
 double leastAlong(const Vec3& direction, const geometry::Box3& box) {
@@ -47,178 +35,161 @@ double leastGapAlong(const Vec3& direction, const ElementPair& pair, std::span<c
     return nearest - farthest;
 }
 
+/// The distance of a pair at first, if it can come nearer than `reach` while its vertices go by their moves.
+///
+/// The gap along a direction that stays the same is a concave function of the time, so that between two ends it is not
+/// less than at both. That between the middles is asked first: of most pairs it tells without their shortest way.
+std::optional<double> distanceInStep(double reach, const ElementPair& pair, std::span<const Vec3> positions,
+                                     std::span<const Vec3> moves) {
+    std::array<Vec3, 4> starts, ends;
+    for (int i = 0; i < 4; ++i) {
+        starts[i] = positions[pair.vertices[i]];
+        ends[i] = starts[i] + moves[pair.vertices[i]];
+    }
+    const ElementPair here{{0, 1, 2, 3}, pair.firstCount};
+    const auto isApart = [&](const Vec3& direction, double gap) {
+        return gapAlong(direction, here, starts) > gap && gapAlong(direction, here, ends) > gap;
+    };
+    const Vec3 between = pair.firstCount == 1 ? 3 * starts[0] - starts[1] - starts[2] - starts[3]
+                                              : starts[0] + starts[1] - starts[2] - starts[3];
+    if (isApart(between, reach * length(between))) return std::nullopt;
+    const Separation start = separationOf(here, starts);
+    if (start.distance > reach && isApart(start.way / start.distance, reach)) return std::nullopt;
+    return start.distance;
+}
+
 } // namespace
 
 SelfProximity::SelfProximity(std::vector<geometry::TriangleIndices> triangles, std::span<const Vec3> positions)
-    : triangles_(std::move(triangles)), represented_(triangles_.size()), vertexBoxes_(positions.size()) {
-    findEdges();
-    if (triangles_.empty()) return;
-    std::vector<Vec3> centres;
-    for (const auto& [a, b, c] : triangles_) {
-        expects(a != b && b != c && c != a, "a triangle has three corners");
-        centres.push_back((positions[a] + positions[b] + positions[c]) / 3);
-    }
-    std::vector<int> order(triangles_.size());
-    std::iota(order.begin(), order.end(), 0);
-    nodes_.reserve(2 * order.size());
-    build(order, centres);
-    nodeBoxes_.resize(nodes_.size());
+    : triangles_(std::move(triangles)), vertexBoxes_(positions.size()), tree_(triangles_, positions) {
+    for (const auto& [a, b, c] : triangles_) expects(a != b && b != c && c != a, "a triangle has three corners");
+    shareOut(findEdges());
 }
 
-void SelfProximity::findEdges() {
-    std::map<std::array<int, 2>, int> known;
-    std::vector<char> spokenFor(vertexBoxes_.size(), 0);
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
+SelfProximity::EdgesByCorners SelfProximity::findEdges() {
+    EdgesByCorners known;
+    for (const auto& corners : triangles_)
         for (int k = 0; k < 3; ++k) {
-            const int a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], across = triangles_[t][(k + 2) % 3];
-            if (!spokenFor[a]++) represented_[t].corners[k] = a;
+            const int a = corners[k], b = corners[(k + 1) % 3], across = corners[(k + 2) % 3];
             const auto [at, isNew] =
                 known.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(edges_.size()));
-            if (isNew) {
-                represented_[t].edges[k] = at->second;
-                edges_.push_back({at->first, {across, -1}});
-            } else {
-                edges_[at->second].opposite[1] = across;
+            if (isNew) edges_.push_back({at->first, {across, -1}});
+            else edges_[at->second].opposite[1] = across;
+        }
+    return known;
+}
+
+/// Gives each corner and each of the edges to the first cluster that has it.
+void SelfProximity::shareOut(EdgesByCorners edges) {
+    std::vector<char> isGiven(vertexBoxes_.size(), 0);
+    for (int cluster = 0; cluster < tree_.clusters(); ++cluster) {
+        for (const int t : tree_.trianglesOf(cluster)) {
+            clusterTriangles_.add(t, triangles_[t]);
+            for (int k = 0; k < 3; ++k) {
+                const int a = triangles_[t][k], b = triangles_[t][(k + 1) % 3];
+                if (!std::exchange(isGiven[a], 1)) clusterCorners_.add(a, std::array{a});
+                if (const auto edge = edges.extract({std::min(a, b), std::max(a, b)}))
+                    clusterEdges_.add(edge.mapped(), edge.key());
             }
         }
+        clusterTriangles_.endCluster();
+        clusterCorners_.endCluster();
+        clusterEdges_.endCluster();
+    }
 }
 
-/// Halves the triangles along the longest axis of their centres; returns the node made.
-int SelfProximity::build(std::span<int> triangles, std::span<const Vec3> centres) {
-    const int node = static_cast<int>(nodes_.size());
-    nodes_.push_back({});
-    if (triangles.size() == 1) {
-        nodes_[node].triangle = triangles[0];
-        return node;
-    }
-    Vec3 low = centres[triangles[0]], high = low;
-    for (const int t : triangles) {
-        low = lower(low, centres[t]);
-        high = higher(high, centres[t]);
-    }
-    const Vec3 extent = high - low;
-    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-    const std::size_t half = triangles.size() / 2;
-    std::ranges::nth_element(triangles, triangles.begin() + static_cast<std::ptrdiff_t>(half), [&](int s, int t) {
-        return std::pair(centres[s][axis], s) < std::pair(centres[t][axis], t);
-    });
-    build(triangles.first(half), centres);
-    const int second = build(triangles.subspan(half), centres);
-    nodes_[node].second = second;
-    return node;
+template <int corners>
+void SelfProximity::Elements<corners>::add(int id, std::span<const int, corners> vertices) {
+    if (static_cast<int>(fours.size()) == begin.back() || fours.back().ids[FourSweptBoxes::width - 1] >= 0)
+        fours.emplace_back();
+    Four& four = fours.back();
+    int lane = 0;
+    while (four.ids[lane] >= 0) ++lane;
+    four.ids[lane] = id;
+    for (int k = 0; k < corners; ++k) four.vertices[k][lane] = vertices[k];
 }
 
-/// Boxes round those of the vertices; where some are flagged, those that hold one of them.
-void SelfProximity::fitNodes() {
-    for (std::size_t n = nodes_.size(); n-- > 0;) {
-        if (!flagged_.empty() && !flagged_[n]) continue;
-        const Node& node = nodes_[n];
-        if (node.second >= 0) {
-            nodeBoxes_[n] = around(nodeBoxes_[n + 1], nodeBoxes_[node.second]);
-        } else {
-            const auto& [a, b, c] = triangles_[node.triangle];
-            nodeBoxes_[n] = around(around(vertexBoxes_[a], vertexBoxes_[b]), vertexBoxes_[c]);
+template <int corners>
+template <class BoxOf>
+void SelfProximity::Elements<corners>::fit(int cluster, const BoxOf& boxOf) {
+    for (int f = begin[cluster]; f < begin[cluster + 1]; ++f)
+        for (int lane = 0; lane < FourSweptBoxes::width; ++lane)
+            if (const int id = fours[f].ids[lane]; id >= 0) fours[f].boxes.set(lane, boxOf(id));
+}
+
+/// visit(i, id) for the elements of a cluster that have none of these vertices and whose boxes meet this one; i is
+/// their number in it.
+template <int corners>
+template <class Visit>
+void SelfProximity::Elements<corners>::forMeeting(int cluster, const SweptBox& box, std::initializer_list<int> without,
+                                                  const Visit& visit) const {
+    for (int f = begin[cluster]; f < begin[cluster + 1]; ++f) {
+        const Four& four = fours[f];
+        FourFlags found = meeting(four.boxes, box);
+        for (const int vertex : without)
+            for (const FourFlags& of : four.vertices) found &= of != vertex;
+        for (unsigned lanes = bitsOf(found); lanes != 0; lanes &= lanes - 1) {
+            const int lane = std::countr_zero(lanes);
+            visit(FourSweptBoxes::width * (f - begin[cluster]) + lane, four.ids[lane]);
         }
     }
 }
 
-/// Finds the nodes that have a flagged vertex below them. Where none is flagged all vertices count.
+template <int corners>
+std::size_t SelfProximity::Elements<corners>::bytes() const {
+    return begin.capacity() * sizeof(int) + fours.capacity() * sizeof(Four);
+}
+
+SweptBox SelfProximity::boxOfEdge(int edge) const {
+    const auto& [p, q] = edges_[edge].vertices;
+    return around(vertexBoxes_[p], vertexBoxes_[q]);
+}
+
+SweptBox SelfProximity::boxOfTriangle(int triangle) const {
+    const auto& [a, b, c] = triangles_[triangle];
+    return around(around(vertexBoxes_[a], vertexBoxes_[b]), vertexBoxes_[c]);
+}
+
+/// Where no vertex is flagged all count; else clusters that have one that is.
 void SelfProximity::beginSearch(double reach, std::span<const char> flagged) {
     reach_ = reach;
-    flagged_.assign(flagged.empty() ? 0 : nodes_.size(), 0);
-    for (std::size_t n = flagged_.size(); n-- > 0;) {
-        const Node& node = nodes_[n];
-        if (node.second >= 0) {
-            flagged_[n] = flagged_[n + 1] || flagged_[node.second];
-        } else {
-            const auto& [a, b, c] = triangles_[node.triangle];
-            flagged_[n] = flagged[a] || flagged[b] || flagged[c];
-        }
-    }
+    if (flagged.empty()) return tree_.countAll();
+    tree_.countOnly([&](int cluster) {
+        return std::ranges::any_of(tree_.trianglesOf(cluster), [&](int t) {
+            return std::ranges::any_of(triangles_[t], [&](int v) { return flagged[v] != 0; });
+        });
+    });
 }
 
-bool SelfProximity::areLeaves(const NodePair& pair) const {
-    return pair.first != pair.second && nodes_[pair.first].second < 0 && nodes_[pair.second].second < 0;
-}
-
-bool SelfProximity::areNear(int first, int second) const {
-    return meet(nodeBoxes_[first], nodeBoxes_[second]) && (flagged_.empty() || flagged_[first] || flagged_[second]);
-}
-
-/// What is below two nodes that are no leaves, and near each other; the last is visited first. Triangles lie at most 29
-/// nodes deep, and a way takes two bits for each.
-void SelfProximity::appendBelow(const NodePair& pair, std::vector<NodePair>& todo) const {
-    const auto [a, b, left, way] = pair;
-    const Node &first = nodes_[a], &second = nodes_[b];
-    const auto append = [&, left = left, way = way](int one, int other, int bits, std::uint64_t turn) {
-        if (one == other ? flagged_.empty() || flagged_[one] : areNear(one, other))
-            todo.push_back({one, other, left - bits, way | turn << (left - bits)});
-    };
-    if (a == b) {
-        if (first.second < 0) return;
-        append(first.second, first.second, 2, 2);
-        append(a + 1, a + 1, 2, 1);
-        append(a + 1, first.second, 2, 0);
-    } else if (second.second < 0 || (first.second >= 0 && first.second - a >= second.second - b)) {
-        append(a + 1, b, 1, 1);
-        append(first.second, b, 1, 0);
-    } else {
-        append(a, b + 1, 1, 1);
-        append(a, second.second, 1, 0);
-    }
-}
-
-/// visit(leaves) once for every two leaves below these nodes whose boxes meet, until it returns false.
-template <class Visit>
-void SelfProximity::forNearTriangles(const NodePair& from, const Visit& visit) const {
-    std::vector<NodePair> todo{from};
-    while (!todo.empty()) {
-        const NodePair pair = todo.back();
-        todo.pop_back();
-        if (!areLeaves(pair)) appendBelow(pair, todo);
-        else if (!visit(pair)) return;
-    }
-}
-
-/// Pairs of nodes, some `count` of them, below which all near leaves are found, in the order of a search from the root.
-std::vector<SelfProximity::NodePair> SelfProximity::sharesOfSearch(std::size_t count) const {
-    if (nodes_.empty()) return {};
-    std::vector<NodePair> shares{NodePair{}}, next, below;
-    while (shares.size() < count && shares != next) {
-        next = std::move(shares);
-        shares.clear();
-        for (const NodePair& pair : next) {
-            below.clear();
-            if (areLeaves(pair)) below.push_back(pair);
-            else appendBelow(pair, below);
-            shares.insert(shares.end(), below.rbegin(), below.rend());
-        }
-    }
-    return shares;
+/// Boxes round those of the vertices.
+void SelfProximity::fit(Team* team) {
+    tree_.fit(team, [&](int cluster) {
+        clusterCorners_.fit(cluster, [&](int v) { return vertexBoxes_[v]; });
+        clusterEdges_.fit(cluster, [&](int e) { return boxOfEdge(e); });
+        clusterTriangles_.fit(cluster, [&](int t) { return boxOfTriangle(t); });
+        const auto triangles = tree_.trianglesOf(cluster);
+        SweptBox box = boxOfTriangle(triangles.front());
+        for (const int t : triangles.subspan(1)) box = around(box, boxOfTriangle(t));
+        return box;
+    });
 }
 
 SelfProximity::Pairs SelfProximity::pairsWithin(double reach, std::span<const Vec3> positions, std::size_t most) {
     for (std::size_t v = 0; v < vertexBoxes_.size(); ++v) vertexBoxes_[v] = {{positions[v], positions[v]}, 0.5 * reach};
     beginSearch(noWays);
-    return collect(positions, most, nullptr, {},
-                   [&](const ElementPair&, const Separation& at) { return at.distance <= reach; });
+    return collect(most, nullptr, {}, [&](const ElementPair& pair) {
+        const double distance = separationOf(pair, positions).distance;
+        return distance <= reach ? std::optional(distance) : std::nullopt;
+    });
 }
 
-/// The gap along a direction that stays the same is a concave function of the time, so that between two ends it is not
-/// less than at both.
 SelfProximity::Pairs SelfProximity::pairsInStep(double reach, std::span<const Vec3> positions,
                                                 std::span<const Vec3> moves, std::size_t most, Team* team) {
-    beginSearch(reach);
-    std::vector<Vec3> ends(positions.size());
-    for (std::size_t v = 0; v < ends.size(); ++v) {
-        ends[v] = positions[v] + moves[v];
+    for (std::size_t v = 0; v < vertexBoxes_.size(); ++v)
         vertexBoxes_[v] = {{positions[v], positions[v]}, 0.5 * reach, moves[v]};
-    }
-    return collect(positions, most, team, {}, [&](const ElementPair& pair, const Separation& start) {
-        if (start.distance <= reach) return true;
-        const Vec3 direction = start.way / start.distance;
-        return gapAlong(direction, pair, positions) <= reach || gapAlong(direction, pair, ends) <= reach;
-    });
+    beginSearch(reach);
+    return collect(most, team, {},
+                   [&](const ElementPair& pair) { return distanceInStep(reach, pair, positions, moves); });
 }
 
 SelfProximity::Pairs SelfProximity::pairsInBoxes(double reach, std::span<const Vec3> positions,
@@ -226,78 +197,65 @@ SelfProximity::Pairs SelfProximity::pairsInBoxes(double reach, std::span<const V
     for (std::size_t v = 0; v < vertexBoxes_.size(); ++v)
         vertexBoxes_[v] = {{positions[v] + boxes[v].low, positions[v] + boxes[v].high}, 0.5 * reach};
     beginSearch(reach);
-    return collect(positions, most, team, {}, [&](const ElementPair& pair, const Separation& start) {
-        return start.distance <= reach || leastGapAlong(start.way / start.distance, pair, positions, boxes) <= reach;
+    return collect(most, team, {}, [&](const ElementPair& pair) -> std::optional<double> {
+        const Separation start = separationOf(pair, positions);
+        if (start.distance > reach && leastGapAlong(start.way / start.distance, pair, positions, boxes) > reach)
+            return std::nullopt;
+        return start.distance;
     });
 }
 
 SelfProximity::Pairs SelfProximity::pairsOfFlagged(std::span<const char> flagged, std::span<const Vec3> positions,
                                                    std::span<const Vec3> moves, std::size_t most, Team* team) {
     expects(reach_ >= 0, "a search along ways came before");
-    beginSearch(reach_, flagged);
     for (std::size_t v = 0; v < vertexBoxes_.size(); ++v)
         if (flagged[v]) vertexBoxes_[v] = {{positions[v], positions[v]}, 0.5 * reach_, moves[v]};
-    return collect(positions, most, team, flagged, [&](const ElementPair& pair, const Separation& start) {
-        if (start.distance <= reach_) return true;
-        const Vec3 direction = start.way / start.distance;
-        std::array<Vec3, 4> ends;
-        for (int i = 0; i < 4; ++i) ends[i] = positions[pair.vertices[i]] + moves[pair.vertices[i]];
-        return gapAlong(direction, pair, positions) <= reach_ ||
-               gapAlong(direction, {{0, 1, 2, 3}, pair.firstCount}, ends) <= reach_;
+    beginSearch(reach_, flagged);
+    return collect(most, team, flagged,
+                   [&](const ElementPair& pair) { return distanceInStep(reach_, pair, positions, moves); });
+}
+
+/// keep(pair, number) for the pairs of elements that two clusters have and whose boxes meet; numbers rise, up to 255.
+template <class Keep>
+void SelfProximity::visitElements(const ClusterTree::Pair& clusters, const Keep& keep) const {
+    constexpr int most = 3 * ClusterTree::most; // corners, or edges, of a cluster
+    const int a = tree_.clusterAt(clusters.first), b = tree_.clusterAt(clusters.second);
+    const bool isOne = a == b;
+    const auto cornersAgainst = [&](int speaker, int other, int otherNode, int number) {
+        clusterCorners_.forMeeting(speaker, tree_.boxAt(otherNode), {}, [&](int i, int v) {
+            clusterTriangles_.forMeeting(other, vertexBoxes_[v], {v}, [&](int k, int t) {
+                const auto& corners = triangles_[t];
+                keep({{v, corners[0], corners[1], corners[2]}, 1}, number + ClusterTree::most * i + k);
+            });
+        });
+    };
+    cornersAgainst(a, b, clusters.second, 0);
+    if (!isOne) cornersAgainst(b, a, clusters.first, most * ClusterTree::most);
+    clusterEdges_.forMeeting(a, tree_.boxAt(clusters.second), {}, [&](int i, int e) {
+        const auto [p, q] = edges_[e].vertices;
+        clusterEdges_.forMeeting(b, boxOfEdge(e), {p, q}, [&, p = p, q = q](int k, int f) {
+            const auto& other = edges_[f].vertices;
+            if (!isOne || i < k) keep({{p, q, other[0], other[1]}, 2}, 2 * most * ClusterTree::most + most * i + k);
+        });
     });
 }
 
-/// keep(pair, number) for the pairs of elements that two triangles speak for and whose boxes meet; numbers rise, up
-/// to 15.
-template <class Keep>
-void SelfProximity::visitElements(const NodePair& leaves, const Keep& keep) const {
-    const auto cornersAgainst = [&](int speaker, int node, int number) {
-        const auto& corners = triangles_[nodes_[node].triangle];
-        for (int k = 0; k < 3; ++k)
-            if (const int v = represented_[speaker].corners[k];
-                v >= 0 && meet(vertexBoxes_[v], nodeBoxes_[node]) && !has(corners, v))
-                keep({{v, corners[0], corners[1], corners[2]}, 1}, number + k);
-    };
-    const auto boxOf = [&](const std::array<int, 2>& edge) {
-        return around(vertexBoxes_[edge[0]], vertexBoxes_[edge[1]]);
-    };
-    const int a = leaves.first, b = leaves.second;
-    const int first = nodes_[a].triangle, second = nodes_[b].triangle;
-    cornersAgainst(first, b, 0);
-    cornersAgainst(second, a, 3);
-    for (int i = 0; i < 3; ++i) {
-        const int e = represented_[first].edges[i];
-        if (e < 0) continue;
-        const auto& edge = edges_[e].vertices;
-        const SweptBox box = boxOf(edge);
-        if (!meet(box, nodeBoxes_[b])) continue;
-        for (int k = 0; k < 3; ++k) {
-            const int f = represented_[second].edges[k];
-            if (f < 0) continue;
-            const auto& other = edges_[f].vertices;
-            if (!has(other, edge[0]) && !has(other, edge[1]) && meet(box, boxOf(other)))
-                keep({{edge[0], edge[1], other[0], other[1]}, 2}, 6 + 3 * i + k);
-        }
-    }
-}
-
-/// The pairs whose boxes meet and of which mayMeet(pair, separation) says so; those with a flagged vertex, if any is.
-template <class MayMeet>
-SelfProximity::Pairs SelfProximity::collect(std::span<const Vec3> positions, std::size_t most, Team* team,
-                                            std::span<const char> flagged, const MayMeet& mayMeet) {
+/// The pairs whose boxes meet and of which distanceIfNear(pair) gives one; those with a flagged vertex, if any is.
+template <class DistanceIfNear>
+SelfProximity::Pairs SelfProximity::collect(std::size_t most, Team* team, std::span<const char> flagged,
+                                            const DistanceIfNear& distanceIfNear) {
     constexpr std::size_t wanted = 64; ///< many more than threads, for they take unequal times
-    fitNodes();
-    const std::vector<NodePair> shares = sharesOfSearch(team && team->members() > 1 ? wanted : 1);
+    fit(team);
+    const std::vector<ClusterTree::Pair> shares = tree_.sharesOfSearch(team && team->members() > 1 ? wanted : 1);
     std::vector<std::vector<Near>> found(shares.size());
     std::atomic<std::size_t> count{0}; // in all shares: none goes on when together they have too many
     const auto search = [&](int s) {
-        forNearTriangles(shares[s], [&](const NodePair& leaves) {
+        tree_.forNearClusters(shares[s], [&](const ClusterTree::Pair& clusters) {
             const std::size_t before = found[s].size();
-            visitElements(leaves, [&](const ElementPair& pair, int number) {
+            visitElements(clusters, [&](const ElementPair& pair, int number) {
                 if (!flagged.empty() && std::ranges::none_of(pair.vertices, [&](int v) { return flagged[v]; })) return;
-                const Separation separation = separationOf(pair, positions);
-                if (mayMeet(pair, separation))
-                    found[s].push_back({pair, separation.distance, leaves.way | static_cast<std::uint64_t>(number)});
+                if (const auto distance = distanceIfNear(pair))
+                    found[s].push_back({pair, *distance, clusters.way | static_cast<std::uint64_t>(number)});
             });
             const std::size_t more = found[s].size() - before;
             return (more > 0 ? count.fetch_add(more, std::memory_order_relaxed) + more
@@ -317,24 +275,24 @@ SelfProximity::Pairs SelfProximity::collect(std::span<const Vec3> positions, std
 std::vector<Piercing> SelfProximity::piercings(std::span<const Vec3> positions) {
     for (std::size_t v = 0; v < vertexBoxes_.size(); ++v) vertexBoxes_[v] = {{positions[v], positions[v]}, 0};
     beginSearch(noWays);
-    fitNodes();
+    fit(nullptr);
     std::vector<Piercing> found;
-    const auto edgesAgainst = [&](int speaker, int triangle) {
-        const auto& corners = triangles_[triangle];
-        for (const int e : represented_[speaker].edges) {
-            if (e < 0) continue;
+    const auto edgesAgainst = [&](int speaker, int other, int otherNode) {
+        clusterEdges_.forMeeting(speaker, tree_.boxAt(otherNode), {}, [&](int, int e) {
             const auto [p, q] = edges_[e].vertices;
-            if (!has(corners, p) && !has(corners, q) &&
-                segmentPierces(positions[p], positions[q], positions[corners[0]], positions[corners[1]],
-                               positions[corners[2]]))
-                found.push_back({e, triangle});
-        }
+            clusterTriangles_.forMeeting(other, boxOfEdge(e), {p, q}, [&, p = p, q = q](int, int t) {
+                const auto& corners = triangles_[t];
+                if (segmentPierces(positions[p], positions[q], positions[corners[0]], positions[corners[1]],
+                                   positions[corners[2]]))
+                    found.push_back({e, t});
+            });
+        });
     };
-    for (const NodePair& whole : sharesOfSearch(1))
-        forNearTriangles(whole, [&](const NodePair& leaves) {
-            const int first = nodes_[leaves.first].triangle, second = nodes_[leaves.second].triangle;
-            edgesAgainst(first, second);
-            edgesAgainst(second, first);
+    for (const ClusterTree::Pair& whole : tree_.sharesOfSearch(1))
+        tree_.forNearClusters(whole, [&](const ClusterTree::Pair& clusters) {
+            const int first = tree_.clusterAt(clusters.first), second = tree_.clusterAt(clusters.second);
+            edgesAgainst(first, second, clusters.second);
+            if (first != second) edgesAgainst(second, first, clusters.first);
             return true;
         });
     std::ranges::sort(found);
@@ -343,8 +301,8 @@ std::vector<Piercing> SelfProximity::piercings(std::span<const Vec3> positions) 
 
 std::size_t SelfProximity::bytes() const {
     return triangles_.capacity() * sizeof(geometry::TriangleIndices) + edges_.capacity() * sizeof(SurfaceEdge) +
-           represented_.capacity() * sizeof(Represented) + nodes_.capacity() * sizeof(Node) +
-           (vertexBoxes_.capacity() + nodeBoxes_.capacity()) * sizeof(SweptBox) + flagged_.capacity();
+           vertexBoxes_.capacity() * sizeof(SweptBox) + tree_.bytes() + clusterTriangles_.bytes() +
+           clusterCorners_.bytes() + clusterEdges_.bytes();
 }
 
 } // namespace toile::collision

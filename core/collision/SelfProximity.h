@@ -2,14 +2,17 @@
 #pragma once
 
 #include "core/base/Team.h"
+#include "core/collision/ClusterTree.h"
 #include "core/collision/ElementPair.h"
-#include "core/collision/SweptBox.h"
+#include "core/collision/FourSweptBoxes.h"
 #include "core/geometry/TriangleMesh.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,10 +33,10 @@ struct Piercing {
 
 /// Which elements of one deforming surface are near each other.
 ///
-/// Triangles lie under a binary hierarchy of boxes, whose shape is fixed by where they are at first and whose
-/// boxes are made anew for every search. Each corner and each edge belongs to one triangle, so that a pair is
-/// met once (Curtis et al. 2008, representative triangles). Elements with a common corner are never a pair.
-/// A team shares out the search; the pairs and their order are the same.
+/// Clusters of triangles lie under a binary hierarchy of boxes, and within a cluster four boxes of its elements side by
+/// side. Each triangle, corner and edge belongs to one cluster, so that a pair is met once (Curtis et al. 2008,
+/// representative triangles). Elements with a common corner are never a pair. A team shares out the search; the pairs
+/// and their order are the same.
 class SelfProximity {
 public:
     /// No triangle names a vertex twice.
@@ -75,44 +78,44 @@ public:
     [[nodiscard]] std::vector<Piercing> piercings(std::span<const Vec3> positions);
 
 private:
-    struct Node {
-        int second = -1;   ///< the first child follows its parent; −1 = leaf
-        int triangle = -1; ///< of a leaf
-    };
-    /// What a triangle speaks for.
-    struct Represented {
-        std::array<int, 3> corners{-1, -1, -1}, edges{-1, -1, -1};
+    /// Elements of one kind, with `corners` each; those of each cluster together, four boxes side by side.
+    template <int corners>
+    struct Elements {
+        struct Four {
+            FourSweptBoxes boxes;
+            FourFlags ids = FourFlags{} - 1, vertices[corners]{}; ///< −1 = none, and what is nowhere
+        };
+        std::vector<int> begin{0}; ///< of a cluster in what follows, and the end
+        std::vector<Four> fours;
+
+        void add(int id, std::span<const int, corners> vertices);
+        void endCluster() { begin.push_back(static_cast<int>(fours.size())); }
+        template <class BoxOf>
+        void fit(int cluster, const BoxOf& boxOf);
+        template <class Visit>
+        void forMeeting(int cluster, const SweptBox& box, std::initializer_list<int> without, const Visit& visit) const;
+        [[nodiscard]] std::size_t bytes() const;
     };
 
-    void findEdges();
-    int build(std::span<int> triangles, std::span<const Vec3> centres);
-    void fitNodes();
+    using EdgesByCorners = std::map<std::array<int, 2>, int>;
+    EdgesByCorners findEdges();
+    void shareOut(EdgesByCorners edges);
     void beginSearch(double reach, std::span<const char> flagged = {});
-    /// Two nodes, and the way from the root to them: what is visited earlier has the lower one.
-    struct NodePair {
-        int first = 0, second = 0;
-        int left = 64; ///< bits of the way that are not used yet
-        std::uint64_t way = 0;
-        friend bool operator==(const NodePair&, const NodePair&) = default;
-    };
-    [[nodiscard]] bool areNear(int first, int second) const;
-    void appendBelow(const NodePair& pair, std::vector<NodePair>& todo) const;
-    [[nodiscard]] bool areLeaves(const NodePair& pair) const;
-    template <class Visit>
-    void forNearTriangles(const NodePair& from, const Visit& visit) const;
-    [[nodiscard]] std::vector<NodePair> sharesOfSearch(std::size_t count) const;
+    void fit(Team* team);
+    [[nodiscard]] SweptBox boxOfEdge(int edge) const;
+    [[nodiscard]] SweptBox boxOfTriangle(int triangle) const;
     template <class Keep>
-    void visitElements(const NodePair& leaves, const Keep& keep) const;
-    template <class MayMeet>
-    Pairs collect(std::span<const Vec3> positions, std::size_t most, Team* team, std::span<const char> flagged,
-                  const MayMeet& mayMeet);
+    void visitElements(const ClusterTree::Pair& clusters, const Keep& keep) const;
+    template <class DistanceIfNear>
+    Pairs collect(std::size_t most, Team* team, std::span<const char> flagged, const DistanceIfNear& distanceIfNear);
 
     std::vector<geometry::TriangleIndices> triangles_;
     std::vector<SurfaceEdge> edges_;
-    std::vector<Represented> represented_;
-    std::vector<Node> nodes_;
-    std::vector<SweptBox> vertexBoxes_, nodeBoxes_;
-    std::vector<char> flagged_; ///< nodes below which a vertex is flagged; empty = all vertices count
+    std::vector<SweptBox> vertexBoxes_;
+    ClusterTree tree_;
+    Elements<1> clusterCorners_;
+    Elements<2> clusterEdges_;
+    Elements<3> clusterTriangles_;
     static constexpr double noWays = -1;
     double reach_ = noWays; ///< of the last search, if its boxes are round ways [m]
 };

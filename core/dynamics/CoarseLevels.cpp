@@ -30,7 +30,7 @@ Vec3 weighted(const std::array<double, 3>& weights, const std::array<int, 3>& pa
 struct LeastLevelShare {
     int particles, centres, triangles;
 };
-constexpr LeastLevelShare leastLevelShare{1500, 400, 60}; ///< triangles in fours
+constexpr LeastLevelShare leastLevelShare{750, 200, 30}; ///< triangles in fours
 
 constexpr int lanes = 4, corners = 3;
 

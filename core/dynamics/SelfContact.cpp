@@ -5,6 +5,7 @@
 #include "core/dynamics/Friction.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -67,6 +68,7 @@ void SelfContact::project(Substep& substep) {
         from = strayed(substep);
     }
     wake(from, substep);
+    if (areAllApart(substep) && piercings_.empty() && from <= slack_) return;
     pushApart(substep);
     uncross(substep);
     placeSlaves(substep.positions);
@@ -76,22 +78,32 @@ void SelfContact::project(Substep& substep) {
     else standStill(substep);
 }
 
+/// Whether no pair touches, and all are known to be separated. Finds those that touch; the distances of those that are
+/// awake are of this substep from now on.
+bool SelfContact::areAllApart(const Substep& substep) {
+    std::atomic<bool> areApart{true};
+    flags_.resize(awake_.size());
+    inParts(substep.team, static_cast<int>(awake_.size()), leastPairs, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            flags_[i] = touches(awake_[i], substep);
+            const Watch& watch = watches_[awake_[i]];
+            if (flags_[i] || !(watch.now > 0 && watch.before > 0)) areApart.store(false, std::memory_order_relaxed);
+        }
+    });
+    keepFlagged(awake_, touching_);
+    return areApart;
+}
+
 /// Layers that would come nearer than their thickness are lifted to it.
 void SelfContact::pushApart(Substep& substep) {
     const ContactPace pace(substep.duration, settings_.pushOutTime, settings_.pushOutSpeed);
-    flags_.resize(awake_.size());
-    inParts(substep.team, static_cast<int>(awake_.size()), leastPairs, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) flags_[i] = touches(awake_[i], substep);
-    });
-    keepFlagged(awake_, touching_);
     for (int sweep = 0; sweep < settings_.sweeps; ++sweep) {
         for (const std::size_t i : touching_) push(watches_[i], contacts_[i], pace, substep);
         if (!model_.slaves.empty()) placeSlaves(substep.positions);
     }
 }
 
-/// Whether the layers of a pair would come nearer than their thickness; its distances are those of this substep from
-/// now on.
+/// Whether the layers of a pair would come nearer than their thickness.
 bool SelfContact::touches(std::size_t pair, const Substep& substep) {
     Watch& watch = watches_[pair];
     Contact& contact = contacts_[pair];

@@ -170,6 +170,7 @@ private:
     void keepFlagged(std::span<const std::size_t> from, std::vector<std::size_t>& kept) const;
 
     // SelfContact.cpp
+    [[nodiscard]] bool areAllApart(const Substep& substep);
     void pushApart(Substep& substep);
     [[nodiscard]] bool touches(std::size_t pair, const Substep& substep);
     [[nodiscard]] bool meetsOnTheWay(const Watch& watch, Contact& contact, const Substep& substep) const;

@@ -11,11 +11,11 @@ namespace {
 
 constexpr int lanes = 4, corners = 4;
 
-/// What a part for one thread must hold at least, some 8 µs of work: less costs more to share than it saves.
+/// What a part for one thread must hold at least, some 4 µs of work: less costs more to share than it saves.
 struct LeastShare {
     int particles, springs, triangles, cells, stencils, hinges; ///< all but particles and stencils in fours
 };
-constexpr LeastShare leastShare{6000, 600, 80, 40, 1200, 40};
+constexpr LeastShare leastShare{3000, 300, 40, 20, 600, 20};
 
 double areaOf(const cloth::MembraneTriangle& triangle) {
     return triangle.area;

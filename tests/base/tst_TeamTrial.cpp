@@ -19,7 +19,7 @@ int sharedOf(TeamTrial& trial, int steps, double shared, double alone) {
     return count;
 }
 
-constexpr int turns = 4, period = 32; // steps
+constexpr int turns = 10, period = 64; // steps
 
 } // namespace
 
@@ -29,13 +29,14 @@ private slots:
     void bothWaysAreTriedFirst();
     void theFasterWayGoesOn();
     void aTeamThatBringsLittleRests();
-    void oneSlowStepDecidesNothing();
+    void slowStepsInTwoPairsDecideNothing();
+    void whatLessensWithTimeDecidesNothing();
     void whatHasChangedIsNoticed();
 };
 
 void tst_TeamTrial::bothWaysAreTriedFirst() {
     TeamTrial trial;
-    for (const bool shares : {true, true, false, false}) {
+    for (const bool shares : {true, false, false, true, true, false, false, true, true, false}) {
         QCOMPARE(trial.shares(), shares);
         trial.took(1);
     }
@@ -53,10 +54,25 @@ void tst_TeamTrial::aTeamThatBringsLittleRests() {
     QCOMPARE(sharedOf(trial, period, 0.97, 1), turns / 2);
 }
 
-void tst_TeamTrial::oneSlowStepDecidesNothing() {
-    TeamTrial trial;
-    for (const double seconds : {10.0, 0.7, 1.0, 1.0}) trial.took(seconds);
-    QVERIFY(trial.shares());
+/// Of 5 pairs.
+void tst_TeamTrial::slowStepsInTwoPairsDecideNothing() {
+    for (const double shared : {0.7, 1.1}) {
+        TeamTrial trial;
+        for (int step = 0; step < turns; ++step) {
+            const bool isSlow = step == 1 || step == 4 || step == 5;
+            trial.took((isSlow ? 10 : 1) * (trial.shares() ? shared : 1));
+        }
+        QCOMPARE(trial.shares(), shared < 1);
+    }
+}
+
+void tst_TeamTrial::whatLessensWithTimeDecidesNothing() {
+    for (const double shared : {0.8, 1.05}) {
+        TeamTrial trial;
+        double seconds = 1;
+        for (int step = 0; step < turns; ++step, seconds *= 0.92) trial.took(seconds * (trial.shares() ? shared : 1));
+        QCOMPARE(trial.shares(), shared < 1);
+    }
 }
 
 void tst_TeamTrial::whatHasChangedIsNoticed() {
