@@ -169,28 +169,27 @@ Result<void> writeResults(const SewOptions& options, const OpenedScene& opened,
     return writePictures(options.pictures, frame, bodyAtEnd(opened, simulation)); // last: not every machine can draw
 }
 
+using Motion = std::shared_ptr<const geometry::VertexMotion>; ///< of the avatar; null = it stands still
+
 /// Sews, and moves the avatar if that is wanted.
-Result<Outcome> sewn(const SewOptions& options, const OpenedScene& opened, const simulation::SewSettings& settings,
+Result<Outcome> sewn(const SewOptions& options, const Motion& motion, const simulation::SewSettings& settings,
                      simulation::Simulation& simulation, std::stop_token stop,
                      const simulation::FrameObserver& observer) {
     ProgressBar bar(options.quiet);
-    const auto motion = bodyMotionOf(options, opened);
-    if (!motion) return tl::unexpected(motion.error());
     auto report = simulation::sew(simulation, settings, stop, bar.progress(), observer);
     if (!report) return tl::unexpected(report.error());
     Outcome outcome{std::move(*report), std::nullopt};
-    if (!*motion || outcome.sewn.ranOutOfTime()) return outcome;
-    auto wearing = simulation::wear(simulation, *motion, settings, stop, bar.progress(), observer);
+    if (!motion || outcome.sewn.ranOutOfTime()) return outcome;
+    auto wearing = simulation::wear(simulation, motion, settings, stop, bar.progress(), observer);
     if (!wearing) return tl::unexpected(wearing.error());
     outcome.wearing = std::move(*wearing);
     return outcome;
 }
 
 /// The same, and keeps the start and every frame step if that is wanted.
-Result<Outcome> sewnAndKept(const SewOptions& options, const OpenedScene& opened,
-                            const simulation::SewSettings& settings, simulation::Simulation& simulation,
-                            std::stop_token stop) {
-    if (options.frames.empty()) return sewn(options, opened, settings, simulation, stop, {});
+Result<Outcome> sewnAndKept(const SewOptions& options, const Motion& motion, const simulation::SewSettings& settings,
+                            simulation::Simulation& simulation, std::stop_token stop) {
+    if (options.frames.empty()) return sewn(options, motion, settings, simulation, stop, {});
     auto files = io::FrameFiles::create(options.frames, simulation.frame().topology);
     if (!files) return tl::unexpected(files.error());
     Result<void> kept;
@@ -200,7 +199,7 @@ Result<Outcome> sewnAndKept(const SewOptions& options, const OpenedScene& opened
         tally.add(now.state().time, simulation::intersectionsOf(now));
     };
     keep(simulation);
-    auto outcome = sewn(options, opened, settings, simulation, stop, keep);
+    auto outcome = sewn(options, motion, settings, simulation, stop, keep);
     if (outcome && kept) kept = (*files)->finish();
     if (!kept) return tl::unexpected(kept.error());
     if (outcome) outcome->frames = tally;
@@ -241,6 +240,8 @@ int sew(const SewOptions& options, std::stop_token stop) {
     auto opened = openScene(document->document, options.file, options.avatar);
     if (!opened) return refuse(opened.error());
     applyOptions(*opened, options);
+    const auto motion = bodyMotionOf(options, *opened); // sewing takes long: what is wrong with it is told before
+    if (!motion) return refuse(motion.error());
     simulation::SewSettings settings{
         .seconds = options.seconds, .limit = options.limit, .hold = options.hold, .deadline = deadline};
     auto begin = begun(options, *opened, settings, stop);
@@ -248,7 +249,7 @@ int sew(const SewOptions& options, std::stop_token stop) {
     auto& [simulation, coarse] = *begin;
 
     if (coarse) settings = settingsAfter(*coarse, settings);
-    auto outcome = sewnAndKept(options, *opened, settings, simulation, stop);
+    auto outcome = sewnAndKept(options, *motion, settings, simulation, stop);
     if (const auto kept = keepStanding(options.checkpoint, simulation); !kept) return refuse(kept.error());
     if (!outcome) return refuse(outcome.error());
     simulation::SewReport& report = outcome->sewn;

@@ -87,8 +87,8 @@ std::vector<ClusterTree::Pair> ClusterTree::sharesOfSearch(std::size_t count) co
 }
 
 std::size_t ClusterTree::bytes() const {
-    return (triangles_.capacity() + begin_.capacity() + leaves_.capacity()) * sizeof(int) + nodes_.capacity() * sizeof(Node) +
-           boxes_.capacity() * sizeof(SweptBox) + counted_.capacity();
+    return (triangles_.capacity() + begin_.capacity() + leaves_.capacity()) * sizeof(int) +
+           nodes_.capacity() * sizeof(Node) + boxes_.capacity() * sizeof(SweptBox) + counted_.capacity();
 }
 
 } // namespace toile::collision

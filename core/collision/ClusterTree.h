@@ -12,8 +12,8 @@
 
 namespace toile::collision {
 
-/// Clusters of a few triangles under a binary hierarchy of boxes. Its shape is fixed by where the triangles are at first;
-/// the boxes are given anew for every search.
+/// Clusters of a few triangles under a binary hierarchy of boxes. Its shape is fixed by where the triangles are at
+/// first; the boxes are given anew for every search.
 class ClusterTree {
 public:
     static constexpr int most = 4; ///< triangles in a cluster
@@ -31,7 +31,8 @@ public:
 
     /// From now on all count, and pairs are sought among all.
     void countAll() { counted_.clear(); }
-    /// From now on only clusters of which counts(cluster) says so are fitted, and only pairs with one of them are sought.
+    /// From now on only clusters of which counts(cluster) says so are fitted, and only pairs with one of them are
+    /// sought.
     template <class Counts>
     void countOnly(const Counts& counts) {
         counted_.assign(nodes_.size(), 0);

@@ -132,6 +132,9 @@ void tst_SewCommand::motionsThatCannotBeAreRefused() {
     const Finished kept = run(sheet + QStringList{"--avatar", sample("bodies/mannequin-42.glb"), "--lift-arms", "20",
                                                   "--checkpoint", in("point")});
     QCOMPARE(kept.status, 2);
+    const Finished fine = run({"sew", sample("t-shirt.toile"), "--spacing", "20", "--refine", "--motion", in("none")});
+    QCOMPARE(fine.status, 1);
+    QVERIFY2(fine.err.contains("none") && !fine.err.contains("simulated"), qPrintable(fine.err)); // before it is sewn
 }
 
 void tst_SewCommand::equalRunsGiveEqualBits() {
