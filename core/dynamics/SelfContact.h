@@ -240,6 +240,7 @@ private:
     double fromTime_ = 0, horizon_ = 0; ///< when that was, how long the ways take [s]
     double ahead_ = 1;                  ///< part of what should be looked ahead for which pairs are not too many [–]
     double slack_ = 0, staticMove_ = 0; ///< of the settings, what holds for the pairs watched now [m]
+    double foreseenWith_ = 0;           ///< duration of the substep in which ways were last foreseen for all [s]
     double frame_ = 0;                  ///< duration of the step [s]
     double seenUntil_ = 0;              ///< the end of the last substep [s]
     int searches_ = 0, renewals_ = 0, shortSearches_ = 0, heldBack_ = 0;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 /// Which pairs of elements are near, and for how long that list holds.
 namespace toile::dynamics {
@@ -18,7 +19,8 @@ using collision::Separation;
 /// Part of the distance at rest that compressed cloth may fall to before its own parts push each other [–].
 constexpr double usedRoom = 0.5;
 
-/// What the first list is for, half of it [substeps]: seams that have just merged let go of cloth in all directions.
+/// What the first list is for, half of it [substeps]: seams that have just merged let go of cloth in all directions,
+/// and so does cloth that shorter substeps make stiffer.
 constexpr int tentative = 2;
 
 /// One of all ways to name a pair.
@@ -54,12 +56,13 @@ double SelfContact::strayed(const Substep& substep) const {
 }
 
 /// Seeks neighbours for one frame step ahead, as if particles went on as in this substep. For less where the last list
-/// did not hold so long, or there was none: of cloth in tumult only the next few substeps can be foreseen, and a longer
-/// look finds more pairs that never meet. For less, too, where that brings too many near.
+/// did not hold so long, or there was none for such substeps: of cloth in tumult only the next few substeps can be
+/// foreseen, and a longer look finds more pairs that never meet. For less, too, where that brings too many near.
 bool SelfContact::foresee(const Substep& substep) {
     prepareSearch(substep.previous);
     const double start = substep.time - substep.duration, frame = std::max(frame_, substep.duration);
-    const double lasted = searches_ == 0 ? tentative * substep.duration : from_.empty() ? frame : start - fromTime_;
+    const bool isFirst = std::exchange(foreseenWith_, substep.duration) != substep.duration;
+    const double lasted = isFirst ? tentative * substep.duration : from_.empty() ? frame : start - fromTime_;
     const double longest = std::clamp(2 * lasted, substep.duration, frame);
     fromTime_ = start;
     moves_.resize(substep.positions.size());
