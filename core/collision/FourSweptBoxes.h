@@ -30,19 +30,19 @@ struct alignas(64) FourSweptBoxes {
     }
 };
 
-using FourFlags [[gnu::may_alias]] = int __attribute__((vector_size(16))); ///< −1 = yes, 0 = no
+using BoxFlags [[gnu::may_alias]] = int __attribute__((vector_size(16))); ///< −1 = yes, 0 = no
 
 /// Bit 0 for the first.
-[[nodiscard]] inline unsigned bitsOf(FourFlags flags) {
+[[nodiscard]] inline unsigned bitsOf(BoxFlags flags) {
     using Halves [[gnu::may_alias]] = long long __attribute__((vector_size(16)));
-    const auto halves = reinterpret_cast<Halves>(flags & FourFlags{1, 2, 4, 8});
+    const auto halves = reinterpret_cast<Halves>(flags & BoxFlags{1, 2, 4, 8});
     const auto both = static_cast<unsigned long long>(halves[0] | halves[1]);
     return static_cast<unsigned>(both | both >> 32) & 15U;
 }
 
 /// Which of the four can meet what is in the box, as meet() says.
-[[nodiscard]] inline FourFlags meeting(const FourSweptBoxes& four, const SweptBox& box) {
-    FourFlags apart{};
+[[nodiscard]] inline BoxFlags meeting(const FourSweptBoxes& four, const SweptBox& box) {
+    BoxFlags apart{};
     for (int axis = 0; axis < 3; ++axis) {
         const auto &low = four.low[axis], &high = four.high[axis];
         const auto above = (low > box.high[axis]) & (low + (four.moveLow[axis] - box.moveHigh[axis]) > box.high[axis]);

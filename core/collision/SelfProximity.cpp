@@ -125,9 +125,9 @@ void SelfProximity::Elements<corners>::forMeeting(int cluster, const SweptBox& b
                                                   const Visit& visit) const {
     for (int f = begin[cluster]; f < begin[cluster + 1]; ++f) {
         const Four& four = fours[f];
-        FourFlags found = meeting(four.boxes, box);
+        BoxFlags found = meeting(four.boxes, box);
         for (const int vertex : without)
-            for (const FourFlags& of : four.vertices) found &= of != vertex;
+            for (const BoxFlags& of : four.vertices) found &= of != vertex;
         for (unsigned lanes = bitsOf(found); lanes != 0; lanes &= lanes - 1) {
             const int lane = std::countr_zero(lanes);
             visit(FourSweptBoxes::width * (f - begin[cluster]) + lane, four.ids[lane]);

@@ -83,7 +83,7 @@ private:
     struct Elements {
         struct Four {
             FourSweptBoxes boxes;
-            FourFlags ids = FourFlags{} - 1, vertices[corners]{}; ///< −1 = none, and what is nowhere
+            BoxFlags ids = BoxFlags{} - 1, vertices[corners]{}; ///< −1 = none, and what is nowhere
         };
         std::vector<int> begin{0}; ///< of a cluster in what follows, and the end
         std::vector<Four> fours;
