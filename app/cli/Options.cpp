@@ -45,14 +45,14 @@ void addRule(CLI::App& command, std::optional<pattern::LineRule>& chosen) {
         ->transform(CLI::CheckedTransformer(rules));
 }
 
-void declareCheck(CLI::App& app, std::function<int()>& chosen) {
+void declareCheck(CLI::App& app, Chosen& chosen) {
     auto* command = app.add_subcommand("check", "print the problems of documents, one a line");
     auto files = std::make_shared<std::vector<std::string>>();
     command->add_option("FILE", *files, ".toile documents or patterns that can be imported")->required();
     command->callback([files, &chosen] { chosen = [files] { return batch::check(*files); }; });
 }
 
-void declareMesh(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
+void declareMesh(CLI::App& app, Chosen& chosen) {
     auto* command = app.add_subcommand("mesh", "mesh the pieces and report their quality");
     auto options = std::make_shared<MeshOptions>();
     command->add_option("FILE", options->file)->required();
@@ -70,10 +70,11 @@ void declareMesh(CLI::App& app, std::stop_token stop, std::function<int()>& chos
     command->add_option("--repeat", options->repeat, "runs whose median time is reported")->check(CLI::Range(1, 1000));
     command->add_option("--out", options->out, "write the mesh: .obj, .svg or .png");
     command->add_option("--report", options->report, "write mesh.json");
-    command->callback([options, stop, &chosen] { chosen = [options, stop] { return batch::mesh(*options, stop); }; });
+    command->callback(
+        [options, &chosen] { chosen = [options](std::stop_token stop) { return batch::mesh(*options, stop); }; });
 }
 
-void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
+void declareSew(CLI::App& app, Chosen& chosen) {
     auto* command = app.add_subcommand("sew", "sew the garment round its avatar and drape it");
     auto options = std::make_shared<SewOptions>();
     command->add_option("FILE", options->file)->required();
@@ -179,10 +180,11 @@ void declareSew(CLI::App& app, std::stop_token stop, std::function<int()>& chose
         ->allow_extra_args(false); // a FILE behind it is not one more picture
     command->add_option("--report", options->report, "write sew.json");
     command->add_flag("--quiet", options->quiet, "no progress");
-    command->callback([options, stop, &chosen] { chosen = [options, stop] { return batch::sew(*options, stop); }; });
+    command->callback(
+        [options, &chosen] { chosen = [options](std::stop_token stop) { return batch::sew(*options, stop); }; });
 }
 
-void declareAvatar(CLI::App& app, std::function<int()>& chosen) {
+void declareAvatar(CLI::App& app, Chosen& chosen) {
     auto* command = app.add_subcommand("avatar", "compute a mannequin from measurements [mm]");
     auto options = std::make_shared<AvatarOptions>();
     body::Measurements& m = options->measurements;
@@ -208,7 +210,7 @@ void declareAvatar(CLI::App& app, std::function<int()>& chosen) {
     command->callback([options, &chosen] { chosen = [options] { return batch::avatar(*options); }; });
 }
 
-void declareInspect(CLI::App& app, std::function<int()>& chosen) {
+void declareInspect(CLI::App& app, Chosen& chosen) {
     auto* command = app.add_subcommand("inspect", "say what is in a file: pieces, seams, lengths, fabrics, bodies");
     auto options = std::make_shared<InspectOptions>();
     command->add_option("FILE", options->file)->required();
@@ -216,7 +218,7 @@ void declareInspect(CLI::App& app, std::function<int()>& chosen) {
     command->callback([options, &chosen] { chosen = [options] { return batch::inspect(*options); }; });
 }
 
-void declareConvert(CLI::App& app, std::function<int()>& chosen) {
+void declareConvert(CLI::App& app, Chosen& chosen) {
     auto* command = app.add_subcommand("convert", "turn a pattern that can be imported into a .toile document");
     auto options = std::make_shared<ConvertOptions>();
     command->add_option("IN", options->in)->required();
@@ -234,14 +236,14 @@ void refuseEmptyValues(CLI::App& command) {
 
 } // namespace
 
-void declareCommands(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
+void declareCommands(CLI::App& app, Chosen& chosen) {
     declareCheck(app, chosen);
-    declareMesh(app, stop, chosen);
-    declareSew(app, stop, chosen);
+    declareMesh(app, chosen);
+    declareSew(app, chosen);
     declareAvatar(app, chosen);
     declareInspect(app, chosen);
     declareConvert(app, chosen);
-    declareStudy(app, stop, chosen);
+    declareStudy(app, chosen);
     refuseEmptyValues(app);
 }
 

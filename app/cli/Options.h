@@ -2,13 +2,13 @@
 #pragma once
 
 #include "app/batch/Commands.h"
+#include "app/cli/Chosen.h"
 
 #include <CLI/CLI.hpp>
-#include <functional>
 
 namespace toile::cli {
 
 /// Declares all commands with their options; the one that was given is left in `chosen`.
-void declareCommands(CLI::App& app, std::stop_token stop, std::function<int()>& chosen);
+void declareCommands(CLI::App& app, Chosen& chosen);
 
 } // namespace toile::cli

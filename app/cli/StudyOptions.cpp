@@ -33,7 +33,7 @@ void addFresh(CLI::App& command, bool& fresh) {
     command.add_flag("--fresh", fresh, "measure again what stands in the folder already; else the study goes on");
 }
 
-void declareStorage(CLI::App& study, std::function<int()>& chosen) {
+void declareStorage(CLI::App& study, Chosen& chosen) {
     auto* storage = study.add_subcommand("storage", "nodes, elements and bytes of a document's regions");
     auto options = std::make_shared<StorageOptions>();
     storage->add_option("FILE", options->file, "a document")->required();
@@ -53,27 +53,29 @@ void declareStorage(CLI::App& study, std::function<int()>& chosen) {
     storage->callback([options, &chosen] { chosen = [options] { return batch::studyStorage(*options); }; });
 }
 
-void declareValidation(CLI::App& study, std::stop_token stop, std::function<int()>& chosen) {
+void declareValidation(CLI::App& study, Chosen& chosen) {
     auto* validation = study.add_subcommand("validation", "cases with known answers");
     auto options = std::make_shared<CasesOptions>();
     validation->add_option("--only", options->only, "numbers of cases, as V5,V13; all if none is named")
         ->delimiter(',');
     validation->add_option("--out", options->out, "folder of report.md and results.jsonl");
-    validation->callback(
-        [options, stop, &chosen] { chosen = [options, stop] { return batch::studyValidation(*options, stop); }; });
+    validation->callback([options, &chosen] {
+        chosen = [options](std::stop_token stop) { return batch::studyValidation(*options, stop); };
+    });
 }
 
-void declareStability(CLI::App& study, std::stop_token stop, std::function<int()>& chosen) {
+void declareStability(CLI::App& study, Chosen& chosen) {
     auto* stability = study.add_subcommand("stability", "extreme inputs: bounded, or refused with a sentence");
     auto options = std::make_shared<CasesOptions>();
     stability->add_option("--only", options->only, "numbers of cases, as S1,S12; all if none is named")->delimiter(',');
     stability->add_flag("--quick", options->quick, "coarser and shorter, in about two minutes");
     stability->add_option("--out", options->out, "folder of report.md, results.jsonl and the map of S1");
-    stability->callback(
-        [options, stop, &chosen] { chosen = [options, stop] { return batch::studyStability(*options, stop); }; });
+    stability->callback([options, &chosen] {
+        chosen = [options](std::stop_token stop) { return batch::studyStability(*options, stop); };
+    });
 }
 
-void declareLean(CLI::App& study, std::stop_token stop, std::function<int()>& chosen) {
+void declareLean(CLI::App& study, Chosen& chosen) {
     auto* lean = study.add_subcommand("lean", "what parts of a step cost, and that they cost nothing where not needed");
     auto options = std::make_shared<StudyOptions>();
     lean->add_option("CASE", options->cases, "features, as self-contact, and documents; all features if none is named");
@@ -83,10 +85,11 @@ void declareLean(CLI::App& study, std::stop_token stop, std::function<int()>& ch
     lean->add_flag("--count", options->count, "count instructions by valgrind, too; takes minutes");
     addFresh(*lean, options->fresh);
     lean->add_flag("--quiet", options->quiet, "no progress");
-    lean->callback([options, stop, &chosen] { chosen = [options, stop] { return batch::studyLean(*options, stop); }; });
+    lean->callback(
+        [options, &chosen] { chosen = [options](std::stop_token stop) { return batch::studyLean(*options, stop); }; });
 }
 
-void declareScenes(CLI::App& study, std::stop_token stop, std::function<int()>& chosen) {
+void declareScenes(CLI::App& study, Chosen& chosen) {
     auto* scenes = study.add_subcommand("scenes", "scenes with a goal for error and cost, and what is seen of them");
     auto options = std::make_shared<StudyOptions>();
     options->full = true;
@@ -97,11 +100,12 @@ void declareScenes(CLI::App& study, std::stop_token stop, std::function<int()>& 
     scenes->add_option("--repetitions", options->repetitions, "of every timed run")->check(CLI::Range(1, 1000));
     addFresh(*scenes, options->fresh);
     scenes->add_flag("--quiet", options->quiet, "no progress");
-    scenes->callback(
-        [options, stop, &chosen] { chosen = [options, stop] { return batch::studyScenes(*options, stop); }; });
+    scenes->callback([options, &chosen] {
+        chosen = [options](std::stop_token stop) { return batch::studyScenes(*options, stop); };
+    });
 }
 
-void declareCompare(CLI::App& study, std::function<int()>& chosen) {
+void declareCompare(CLI::App& study, Chosen& chosen) {
     auto* compare = study.add_subcommand("compare", "what got better or worse between two reports of one study");
     auto reports = std::make_shared<std::pair<std::string, std::string>>();
     compare->add_option("OLD", reports->first, "folder of a report, or its results.jsonl")->required();
@@ -110,7 +114,7 @@ void declareCompare(CLI::App& study, std::function<int()>& chosen) {
         [reports, &chosen] { chosen = [reports] { return batch::studyCompare(reports->first, reports->second); }; });
 }
 
-void declareAccuracy(CLI::App& study, std::stop_token stop, std::function<int()>& chosen) {
+void declareAccuracy(CLI::App& study, Chosen& chosen) {
     auto* accuracy =
         study.add_subcommand("accuracy", "error against run time of the methods, on built-in scenes or on a garment");
     auto options = std::make_shared<StudyOptions>();
@@ -128,11 +132,12 @@ void declareAccuracy(CLI::App& study, std::stop_token stop, std::function<int()>
     accuracy->add_option("--out", options->out, "folder of report.md, results.jsonl and pictures")->required();
     addFresh(*accuracy, options->fresh);
     accuracy->add_flag("--quiet", options->quiet, "no progress");
-    accuracy->callback(
-        [options, stop, &chosen] { chosen = [options, stop] { return batch::studyAccuracy(*options, stop); }; });
+    accuracy->callback([options, &chosen] {
+        chosen = [options](std::stop_token stop) { return batch::studyAccuracy(*options, stop); };
+    });
 }
 
-void declareRegions(CLI::App& study, std::stop_token stop, std::function<int()>& chosen) {
+void declareRegions(CLI::App& study, Chosen& chosen) {
     auto* regions = study.add_subcommand("regions", "a document's regions against uniform meshes");
     auto options = std::make_shared<StudyOptions>();
     regions->add_option("FILE", options->cases, "a document with regions")->required()->expected(1);
@@ -141,22 +146,23 @@ void declareRegions(CLI::App& study, std::stop_token stop, std::function<int()>&
     regions->add_option("--out", options->out, "folder of report.md and results.jsonl")->required();
     addFresh(*regions, options->fresh);
     regions->add_flag("--quiet", options->quiet, "no progress");
-    regions->callback(
-        [options, stop, &chosen] { chosen = [options, stop] { return batch::studyRegions(*options, stop); }; });
+    regions->callback([options, &chosen] {
+        chosen = [options](std::stop_token stop) { return batch::studyRegions(*options, stop); };
+    });
 }
 
 } // namespace
 
-void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& chosen) {
+void declareStudy(CLI::App& app, Chosen& chosen) {
     auto* study = app.add_subcommand("study", "measure how wrong results are, and what they cost");
     study->require_subcommand(1);
-    declareAccuracy(*study, stop, chosen);
-    declareRegions(*study, stop, chosen);
+    declareAccuracy(*study, chosen);
+    declareRegions(*study, chosen);
     declareStorage(*study, chosen);
-    declareValidation(*study, stop, chosen);
-    declareStability(*study, stop, chosen);
-    declareLean(*study, stop, chosen);
-    declareScenes(*study, stop, chosen);
+    declareValidation(*study, chosen);
+    declareStability(*study, chosen);
+    declareLean(*study, chosen);
+    declareScenes(*study, chosen);
     declareCompare(*study, chosen);
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cli/Chosen.h"
+
 #include <CLI/CLI.hpp>
-#include <functional>
-#include <stop_token>
 
 namespace toile::cli {
 
 /// Declares `study` with all its commands; the one that was given is left in `chosen`.
-void declareStudy(CLI::App& app, std::stop_token stop, std::function<int()>& chosen);
+void declareStudy(CLI::App& app, Chosen& chosen);
 
 } // namespace toile::cli

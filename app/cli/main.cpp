@@ -57,9 +57,8 @@ int run(int argc, char** argv) {
     CLI::App app("Toile without a window: check, mesh, sew and convert garment patterns.", "toile-cli");
     app.require_subcommand(1);
     app.set_version_flag("--version", toile::batch::versionText("toile-cli"));
-    const std::stop_source stop = stopOnSignals();
-    std::function<int()> chosen;
-    toile::cli::declareCommands(app, stop.get_token(), chosen);
+    toile::cli::Chosen chosen;
+    toile::cli::declareCommands(app, chosen);
     try {
         app.parse(argc, argv);
     } catch (const CLI::RequiredError& problem) {
@@ -70,7 +69,8 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& problem) {
         return app.exit(problem) == 0 ? toile::batch::done : toile::batch::usageWrong;
     }
-    return chosen();
+    if (const auto* const atOnce = std::get_if<std::function<int()>>(&chosen)) return (*atOnce)();
+    return std::get<std::function<int(std::stop_token)>>(chosen)(stopOnSignals().get_token());
 }
 
 } // namespace

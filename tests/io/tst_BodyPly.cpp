@@ -73,7 +73,7 @@ void tst_BodyPly::anAsciiPolygonBecomesAFan() {
     QVERIFY(mesh->vertices[3] == (Vec3{0, 1, 0.5}));
     QVERIFY(mesh->triangles == (std::vector<geometry::TriangleIndices>{{0, 1, 2}, {0, 2, 3}}));
     std::string dos = header + square; // lines of another system
-    for (std::size_t at = 0; (at = dos.find('\n', at)) != std::string::npos; at += 2) dos.insert(at, "\r");
+    for (std::size_t at = 0; (at = dos.find('\n', at)) != std::string::npos; at += 2) dos.insert(at, 1, '\r');
     QVERIFY(meshFromPly(dos));
 }
 
