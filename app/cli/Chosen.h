@@ -7,8 +7,8 @@
 
 namespace toile::cli {
 
-/// The command that was given, to be called for an exit status. One that can be told to stop leaves what it has; another
-/// has nothing to leave.
+/// The command that was given, to be called for an exit status. One that can be told to stop leaves what it has;
+/// another has nothing to leave.
 using Chosen = std::variant<std::function<int()>, std::function<int(std::stop_token)>>;
 
 } // namespace toile::cli

@@ -3,10 +3,10 @@
 
 #include "core/collision/BodySurface.h"
 #include "core/collision/WindingNumber.h"
+#include "core/simulation/ClothParts.h"
 #include "core/simulation/Openings.h"
 
 #include <algorithm>
-#include <map>
 #include <numbers>
 
 namespace toile::simulation {
@@ -14,52 +14,6 @@ namespace {
 
 using geometry::TriangleIndices;
 using geometry::TriangleMesh;
-
-/// The triangles at each edge, whichever way they run through it.
-std::map<std::array<int, 2>, std::vector<int>> trianglesAtEdges(std::span<const TriangleIndices> triangles) {
-    std::map<std::array<int, 2>, std::vector<int>> at;
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto [low, high] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
-            at[{low, high}].push_back(static_cast<int>(t));
-        }
-    return at;
-}
-
-/// The triangles beside each triangle.
-std::vector<std::vector<int>> neighboursOf(std::span<const TriangleIndices> triangles) {
-    std::vector<std::vector<int>> beside(triangles.size());
-    for (const auto& [edge, sharing] : trianglesAtEdges(triangles))
-        for (const int a : sharing)
-            for (const int b : sharing)
-                if (a != b) beside[a].push_back(b);
-    return beside;
-}
-
-/// Every triangle that can be reached from one over edges, in the order in which they are, each with the one it was
-/// reached from; −1 for the first.
-std::vector<std::array<int, 2>> reachedFrom(int first, const std::vector<std::vector<int>>& beside,
-                                            std::vector<bool>& seen) {
-    std::vector<std::array<int, 2>> reached{{first, -1}};
-    seen[first] = true;
-    for (std::size_t i = 0; i < reached.size(); ++i)
-        for (const int neighbour : beside[reached[i][0]])
-            if (!seen[neighbour]) {
-                seen[neighbour] = true;
-                reached.push_back({neighbour, reached[i][0]});
-            }
-    return reached;
-}
-
-bool runsThrough(const TriangleIndices& triangle, int from, int to) {
-    return (triangle[0] == from && triangle[1] == to) || (triangle[1] == from && triangle[2] == to) ||
-           (triangle[2] == from && triangle[0] == to);
-}
-
-/// Whether two neighbours run through an edge of both in the same direction.
-bool runAlike(const TriangleIndices& a, const TriangleIndices& b) {
-    return runsThrough(b, a[0], a[1]) || runsThrough(b, a[1], a[2]) || runsThrough(b, a[2], a[0]);
-}
 
 /// Area vector of the fan over a closed line, seen from any point [m²].
 Vec3 areaOf(const std::vector<Vec3>& loop) {
@@ -143,29 +97,21 @@ double areaOf(const TriangleIndices& t, const std::vector<Vec3>& positions) {
     return 0.5 * length(cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]));
 }
 
-} // namespace
-
-std::vector<ClothPart> partsOf(std::span<const TriangleIndices> triangles) {
-    std::vector<TriangleIndices> sound;
-    std::ranges::copy_if(triangles, std::back_inserter(sound),
-                         [](const auto& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; });
-    const auto beside = neighboursOf(sound);
-    std::vector<bool> seen(sound.size(), false);
-    std::vector<ClothPart> parts;
-    for (int t = 0; t < static_cast<int>(sound.size()); ++t) {
-        if (seen[t]) continue;
-        ClothPart& part = parts.emplace_back();
-        for (const auto& [triangle, from] : reachedFrom(t, beside, seen)) part.push_back(sound[triangle]);
+/// How often a closed surface winds round what is just before each of its triangles. Asked at both ends of a region
+/// that nothing passes through, it is the same all over it; where rounding tells otherwise all are asked.
+std::vector<long> windingsBefore(const TriangleMesh& mesh) {
+    const collision::WindingNumber winding(mesh);
+    const auto before = [&](int triangle) { return std::lround(winding.onTriangle(triangle) - 0.5); }; // behind: 1 more
+    std::vector<long> windings(mesh.triangles.size());
+    for (const std::vector<int>& region : unpiercedRegions(mesh)) {
+        const long first = before(region.front());
+        const bool isSame = before(region.back()) == first;
+        for (const int triangle : region) windings[triangle] = isSame ? first : before(triangle);
     }
-    return parts;
+    return windings;
 }
 
-std::vector<bool> turnedAgainstFirst(const ClothPart& part) {
-    std::vector<bool> turned(part.size(), false), seen(part.size(), false);
-    for (const auto& [triangle, from] : reachedFrom(0, neighboursOf(part), seen))
-        if (from >= 0) turned[triangle] = turned[from] != runAlike(part[triangle], part[from]);
-    return turned;
-}
+} // namespace
 
 double rightSideOutShare(std::span<const TriangleIndices> triangles, const std::vector<Vec3>& positions,
                          const Surroundings& around) {
@@ -180,13 +126,12 @@ double rightSideOutShare(std::span<const TriangleIndices> triangles, const std::
         ClothPart alike = part;
         for (std::size_t t = 0; t < part.size(); ++t)
             if (turned[t]) std::swap(alike[t][1], alike[t][2]);
-        const collision::WindingNumber winding(closed(alike, positions, around.limbs));
+        const std::vector<long> before = windingsBefore(closed(alike, positions, around.limbs));
         for (std::size_t t = 0; t < part.size(); ++t) {
             if (liesDouble(part[t])) continue;
             const double area = areaOf(part[t], positions);
             whole += area;
-            const long before = std::lround(winding.onTriangle(static_cast<int>(t)) - 0.5); // and behind one more
-            if (turned[t] ? before < 0 : before >= 0) right += area;
+            if (turned[t] ? before[t] < 0 : before[t] >= 0) right += area;
         }
     }
     return whole > 0 ? right / whole : 0;

@@ -8,16 +8,6 @@
 
 namespace toile::simulation {
 
-/// Triangles that hang together by their edges: a garment, or one of several in a pattern.
-using ClothPart = std::vector<geometry::TriangleIndices>;
-
-/// The cloth in parts; triangles that merging made degenerate are left out.
-[[nodiscard]] std::vector<ClothPart> partsOf(std::span<const geometry::TriangleIndices> triangles);
-
-/// Which triangles to turn over so that neighbours run through their common edge in opposite directions, seen from the
-/// first triangle of the part. A part that is one-sided, as a Möbius band is, keeps edges where they do not.
-[[nodiscard]] std::vector<bool> turnedAgainstFirst(const ClothPart& part);
-
 /// What closes a garment beside its own cloth.
 struct Surroundings {
     std::vector<geometry::TriangleIndices> plackets; ///< of the triangles, those that only fill slits (Plackets.h)

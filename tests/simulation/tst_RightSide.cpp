@@ -114,7 +114,6 @@ private slots:
     void theRefereeAgrees_data();
     void theRefereeAgrees();
     void partsDoNotDisturbEachOther();
-    void aMoebiusBandKeepsATurnedEdge();
     void degenerateTrianglesCountForNothing();
 };
 
@@ -209,30 +208,6 @@ void tst_RightSide::partsDoNotDisturbEachOther() {
     append(mesh, inner);
     const double first = 0.4 * 0.13, second = 0.1 * 0.13, third = 1.0 * 0.05; // areas over the same factor
     QVERIFY(std::abs(shareOf(mesh) - (first + third) / (first + second + third)) < 1e-12);
-}
-
-void tst_RightSide::aMoebiusBandKeepsATurnedEdge() {
-    std::vector<geometry::TriangleIndices> band; // eight cells; the last is sewn to the first with its ends swapped
-    const auto corner = [](int i, int side) { return i < 8 ? 2 * i + side : 1 - side; };
-    for (int i = 0; i < 8; ++i) {
-        band.push_back({corner(i, 0), corner(i + 1, 0), corner(i, 1)});
-        band.push_back({corner(i + 1, 0), corner(i + 1, 1), corner(i, 1)});
-    }
-    const auto parts = partsOf(band);
-    QCOMPARE(parts.size(), std::size_t(1));
-    ClothPart alike = parts.front();
-    const std::vector<bool> turned = turnedAgainstFirst(alike);
-    for (std::size_t t = 0; t < alike.size(); ++t)
-        if (turned[t]) std::swap(alike[t][1], alike[t][2]);
-    const auto runs = [&](int from, int to) {
-        return std::ranges::count_if(alike, [&](const auto& t) {
-            return (t[0] == from && t[1] == to) || (t[1] == from && t[2] == to) || (t[2] == from && t[0] == to);
-        });
-    };
-    int turnedEdges = 0;
-    for (int a = 0; a < 16; ++a)
-        for (int b = 0; b < 16; ++b) turnedEdges += runs(a, b) > 1;
-    QCOMPARE(turnedEdges, 1);
 }
 
 void tst_RightSide::degenerateTrianglesCountForNothing() {
