@@ -19,8 +19,8 @@ using ClothPart = std::vector<geometry::TriangleIndices>;
 [[nodiscard]] std::vector<bool> turnedAgainstFirst(const ClothPart& part);
 
 /// The triangles of a mesh in regions that hang together by edges of two triangles, which run through them in opposite
-/// directions, and that nothing passes through: a way just before a region, from triangle to triangle, meets no surface.
-/// A triangle that another passes through is a region of its own. Each triangle has three corners.
+/// directions, and that nothing passes through: a way just before a region, from triangle to triangle, meets no
+/// surface. A triangle that another passes through is a region of its own. Each triangle has three corners.
 [[nodiscard]] std::vector<std::vector<int>> unpiercedRegions(const geometry::TriangleMesh& mesh);
 
 } // namespace toile::simulation

@@ -3,6 +3,7 @@
 #include "tests/Suite.h"
 
 #include <QTemporaryDir>
+#include <csignal>
 
 using namespace toile;
 
@@ -25,6 +26,7 @@ private slots:
     void whatIsImpossibleIsSaidAsItWasGiven_data();
     void whatIsImpossibleIsSaidAsItWasGiven();
     void anAvatarIntoAMissingFolderIsRefused();
+    void anInterruptEndsAtOnceWhatHasNothingToLeave();
     void inspectPrintsJson();
     void inspectPrintsText();
     void inspectRefusesWhatItCannotRead();
@@ -165,6 +167,18 @@ void tst_Program::anAvatarIntoAMissingFolderIsRefused() {
     const Finished finished = run({"avatar", "--out", in("none/body.glb")});
     QCOMPARE(finished.status, 1);
     QVERIFY(finished.err.contains("There is no folder"));
+}
+
+void tst_Program::anInterruptEndsAtOnceWhatHasNothingToLeave() {
+    QProcess process; // for some ten seconds
+    process.start(program(), {"avatar", "--edge", "3", "--out", in("fine.glb")});
+    QVERIFY(process.waitForStarted());
+    QTest::qWait(500);
+    QCOMPARE(process.state(), QProcess::Running);
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(minutes));
+    QCOMPARE(process.exitStatus(), QProcess::CrashExit); // by the signal
+    QVERIFY(!QFile::exists(in("fine.glb")));
 }
 
 void tst_Program::inspectPrintsJson() {

@@ -109,7 +109,8 @@ void tst_ClothParts::surfacesThroughEachOtherAreDividedWhereTheyCross() {
 }
 
 void tst_ClothParts::whatIsPiercedBesideACommonCornerIsAlone() {
-    // The second triangle begins in a corner of the first and passes through it: that is no pair of selfIntersecting…().
+    // The second triangle begins in a corner of the first and passes through it: that is no pair of
+    // selfIntersecting…().
     TriangleMesh mesh{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 1}, {1.5, 1.5, -1}, {4, 4, 0}}, {{0, 1, 2}, {1, 5, 2}}};
     QCOMPARE(unpiercedRegions(mesh).size(), std::size_t(1));
     mesh.triangles.push_back({0, 3, 4});
