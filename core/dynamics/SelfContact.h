@@ -33,7 +33,7 @@ struct ClothSurface {
 
 struct SelfContactSettings {
     double slack = 0.002;      ///< a particle may leave the way foreseen by this before neighbours are sought anew [m]
-    double slackOfRoom = 0.3;  ///< and by so much of the middle room of particles: where more is allowed, fine cloth
+    double slackOfRoom = 0.2;  ///< and by so much of the middle room of particles: where more is allowed, fine cloth
                                ///< is watched against itself cell by cell [–]
     double pushOutSpeed = 0.5; ///< at most, of layers that are too near at the start of a substep [m/s]
     double pushOutTime = 0.01; ///< in which a small overlap falls to 1/e [s]
