@@ -100,7 +100,7 @@ private slots:
 
 /// 45 000 particles, of which one goes 40 mm in a substep.
 void tst_SelfContactNeighbours::aFastParticleBringsItsOwnNeighboursOnly() {
-    const Cloth cloth = twoSheets(149, 0.002);
+    const Cloth cloth = twoSheets(149, 0.0015);
     QCOMPARE(cloth.model.particleCount(), 45000);
     const std::size_t slow = pairsWhenOneFalls(cloth, 0.005), fast = pairsWhenOneFalls(cloth, 0.04);
     qInfo("%zu pairs within reach when it goes 5 mm, %zu when it goes 40 mm", slow, fast);
