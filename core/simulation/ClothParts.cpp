@@ -48,6 +48,18 @@ std::vector<std::array<int, 2>> reachedFrom(int first, const std::vector<std::ve
     return reached;
 }
 
+/// All triangles, those together that can be reached from one another.
+std::vector<std::vector<int>> hangingTogether(const std::vector<std::vector<int>>& beside) {
+    std::vector<bool> seen(beside.size(), false);
+    std::vector<std::vector<int>> groups;
+    for (int t = 0; t < static_cast<int>(beside.size()); ++t) {
+        if (seen[t]) continue;
+        std::vector<int>& group = groups.emplace_back();
+        for (const auto& [triangle, from] : reachedFrom(t, beside, seen)) group.push_back(triangle);
+    }
+    return groups;
+}
+
 bool runsThrough(const TriangleIndices& triangle, int from, int to) {
     return (triangle[0] == from && triangle[1] == to) || (triangle[1] == from && triangle[2] == to) ||
            (triangle[2] == from && triangle[0] == to);
@@ -75,13 +87,10 @@ std::vector<ClothPart> partsOf(std::span<const TriangleIndices> triangles) {
     std::vector<TriangleIndices> sound;
     std::ranges::copy_if(triangles, std::back_inserter(sound),
                          [](const auto& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; });
-    const auto beside = neighboursOf(sound);
-    std::vector<bool> seen(sound.size(), false);
     std::vector<ClothPart> parts;
-    for (int t = 0; t < static_cast<int>(sound.size()); ++t) {
-        if (seen[t]) continue;
+    for (const std::vector<int>& group : hangingTogether(neighboursOf(sound))) {
         ClothPart& part = parts.emplace_back();
-        for (const auto& [triangle, from] : reachedFrom(t, beside, seen)) part.push_back(sound[triangle]);
+        for (const int triangle : group) part.push_back(sound[triangle]);
     }
     return parts;
 }
@@ -103,14 +112,7 @@ std::vector<std::vector<int>> unpiercedRegions(const geometry::TriangleMesh& mes
         beside[sharing[0]].push_back(sharing[1]);
         beside[sharing[1]].push_back(sharing[0]);
     }
-    std::vector<bool> seen(mesh.triangles.size(), false);
-    std::vector<std::vector<int>> regions;
-    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-        if (seen[t]) continue;
-        std::vector<int>& region = regions.emplace_back();
-        for (const auto& [triangle, from] : reachedFrom(t, beside, seen)) region.push_back(triangle);
-    }
-    return regions;
+    return hangingTogether(beside);
 }
 
 } // namespace toile::simulation
