@@ -3,6 +3,7 @@
 #include "core/base/Index.h"
 
 #include "core/base/Team.h"
+#include "core/base/WallTime.h"
 #include "core/meshing/BorderSpacing.h"
 #include "core/meshing/DividedBorders.h"
 #include "core/meshing/PieceMesher.h"
@@ -170,7 +171,7 @@ Result<void> GarmentMesher::Memory::meshPiece(const MeshInput& input, std::size_
                             garment.pieces[piece]);
     giveBack(std::move(mesher));
     if (!done) return done;
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = secondsSince(start);
     PieceReport& report = garment.report.pieces[piece];
     reportOn(input.pieces[piece], boundaries[piece], border.nodes, garment.pieces[piece], settings.judged, report);
     report.seconds = seconds;

@@ -35,6 +35,7 @@ struct Checkpoint {
     double restingTime = 0;          ///< [s]
     double largestSpeed = 0;         ///< [m/s]
     bool goesOnAsItLay = false;      ///< after an edit
+    bool settles = false;            ///< as sewn or edited cloth is damped
     std::vector<Seam> seams;         ///< as the pattern has them
     std::vector<Tack> tacks;         ///< the same
     std::vector<Vec3> positions;     ///< of particles [m]

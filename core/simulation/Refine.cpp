@@ -35,6 +35,7 @@ void count(const CoarseRun& coarse, SewReport& report) {
     report.sleptSavedSeconds += coarse.sleptSavedSeconds;
     report.cpuSeconds += coarse.cpuSeconds;
     report.wallSeconds += coarse.wallSeconds;
+    if (report.restWallSeconds) *report.restWallSeconds += coarse.wallSeconds;
     report.coarse = coarse;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/CpuTime.h"
 #include "core/base/TimeLimit.h"
+#include "core/base/WallTime.h"
 #include "core/dynamics/Energy.h"
 #include "core/simulation/Inspect.h"
 #include "core/simulation/Warnings.h"
@@ -156,9 +157,11 @@ void warnOfTimeLimit(SewReport& result) {
 
 /// All that moves the cloth.
 Result<void> runAndFinish(SewReport& result, Simulation& simulation, const SewSettings& settings, const Watch& watch) {
+    const auto start = std::chrono::steady_clock::now();
     auto ending = run(simulation, settings, watch);
     if (!ending) return tl::unexpected(ending.error());
     result.ending = std::move(*ending);
+    if (result.ending == "at rest" && !simulation.awaitsStatics()) result.restWallSeconds = secondsSince(start);
     if (auto held = hold(result, simulation, settings, watch); !held) return held;
     if (!settings.finish || settings.seconds) return {};
     const double finishStart = processSeconds();
@@ -243,7 +246,7 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     result.leftOut = simulation.plan().leftOut();
     tellOfSleep(result);
     result.cpuSeconds = processSeconds() - cpuStart;
-    result.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wallStart).count();
+    result.wallSeconds = secondsSince(wallStart);
     return result;
 }
 

@@ -73,9 +73,10 @@ struct SewReport {
     StrainSummary strain;
     CurvatureSummary curvature;
     double simulatedSeconds = 0, cpuSeconds = 0, wallSeconds = 0;
-    double heldSeconds = 0;       ///< of them after rest, to see whether a waistband stays [s]
-    double sleptSeconds = 0;      ///< of them in which nothing moved, so that nothing was computed [s]
-    double sleptSavedSeconds = 0; ///< as Simulation::savedBySleep
+    std::optional<double> restWallSeconds; ///< of them until it came to rest, before it was held or finished [s]
+    double heldSeconds = 0;                ///< of them after rest, to see whether a waistband stays [s]
+    double sleptSeconds = 0;               ///< of them in which nothing moved, so that nothing was computed [s]
+    double sleptSavedSeconds = 0;          ///< as Simulation::savedBySleep
     int steps = 0, substeps = 0;
     std::optional<CoarseRun> coarse; ///< counted in the seconds and steps above
     bool atRest = false;             ///< in a scene of the paper by speed alone: its explicit steps find no equilibrium

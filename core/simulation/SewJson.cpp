@@ -141,6 +141,7 @@ Json toJson(const SewReport& report) {
     json.set("sleptSeconds", report.sleptSeconds);
     json.set("sleptSavedSeconds", report.sleptSavedSeconds);
     json.set("cpuSeconds", report.cpuSeconds).set("wallSeconds", report.wallSeconds);
+    json.set("restWallSeconds", numberOrNull(report.restWallSeconds));
     json.set("coarse", toJson(report.coarse));
     json.set("steps", report.steps).set("substeps", report.substeps);
     json.set("atRest", report.atRest).set("ending", report.ending).set("residual", numberOrNull(report.residual));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Simulation.h"
 
+#include "core/base/WallTime.h"
 #include "core/simulation/AirOf.h"
 #include "core/simulation/BodyContactOf.h"
 #include "core/simulation/CarryOver.h"
@@ -19,7 +20,8 @@
 namespace toile::simulation {
 namespace {
 
-constexpr double longEnough = 0.5; ///< that slow, for a garment to be at rest [s]
+constexpr double longEnough = 0.5;     ///< that slow, for a garment to be at rest [s]
+constexpr double hasSettledFor = 0.03; ///< that slow, for what was sewn to have settled: it is then judged undamped [s]
 /// Of the methods that adapt their step: RMS error of a part [m].
 constexpr double positionTolerance = 1e-4;
 /// Frame steps of backward Euler before a method takes over from XPBD, whose soft state would ring at the true
@@ -30,8 +32,6 @@ constexpr int calming = 2;
 constexpr double handDamping = 5;
 /// The least of a frame step while they do: in few substeps cloth is soft, and a hand stretches it like rubber.
 constexpr int handSubsteps = 40;
-/// Of a garment that lay and goes on after an edit, until it lies again [1/s].
-constexpr double editDamping = 12;
 /// By which the sides of a merged seam may part when they are carried over to another mesh: along a curve their chords
 /// rise, and corners of both sides that a coarse mesh sews to each other are a few millimetres apart [m].
 constexpr double partedSides = 0.005;
@@ -57,10 +57,6 @@ std::vector<bool> mergedIn(const Simulation& before, const pattern::Pattern& pat
         merged.push_back(found != old.end() && before.seams()[found - old.begin()].merged);
     }
     return merged;
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 void addCosts(std::vector<StepPlan::StageCost>& sum, const std::vector<StepPlan::StageCost>& more) {
@@ -94,6 +90,7 @@ Simulation::Simulation(Scene scene, SceneParts parts, MeshOverrides overrides)
     seamStart_.assign(seams_.size(), -1);
     for (std::size_t tack = 0; tack < tacks_.size(); ++tack) tacks_[tack].initialGap = gapOfTack(tack);
     if (seams_.empty() && tacks_.empty()) phase_ = Phase::draping;
+    settles_ = phase_ == Phase::sewing && !scene_.paper;
     startDue();
 }
 
@@ -142,6 +139,8 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, 
         after.pinToBody();
     }
     after.goesOnAsItLay_ = before.phase_ == Phase::draping || before.goesOnAsItLay_;
+    after.settles_ = after.settles_ || after.goesOnAsItLay_;
+    after.sewnTime_ = after.state_.time;
     after.seamStart_.assign(after.seams_.size(), -1);
     for (TackState& tack : after.tacks_) tack.start = -1;
     after.startDue();
@@ -219,8 +218,15 @@ int Simulation::fullSubsteps() const {
 /// Fine cloth may go on trembling by levels where it is crumpled; hands move it anyway. What came to rest by them stays
 /// as it lies: without them it is stiffer, and would begin to move.
 bool Simulation::levelsMayHelp() const {
-    const double lastMoved = state_.time - restingTime_;
-    return !grips_->empty() || lastMoved <= sewnTime_ + shakingTime() + dressing.levelsTime;
+    return !grips_->empty() || movedLast() <= settledBy();
+}
+
+double Simulation::movedLast() const {
+    return state_.time - restingTime_;
+}
+
+double Simulation::settledBy() const {
+    return sewnTime_ + shakingTime() + dressing.settlingTime;
 }
 
 double Simulation::shakingTime() const {
@@ -260,10 +266,13 @@ std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method 
 }
 
 double Simulation::damping() const {
-    if (goesOnAsItLay_ && phase_ != Phase::sewing) return std::max(scene_.settings.damping, editDamping);
-    if (phase_ == Phase::draping) return std::max(scene_.settings.damping, grips_->empty() ? 0 : handDamping);
-    const bool stiffening = phase_ == Phase::shaking && state_.time < sewnTime_ + dressing.stiffeningTime;
-    return phase_ == Phase::sewing || stiffening ? dressing.sewingDamping : dressing.shakingDamping;
+    if (phase_ == Phase::sewing) return dressing.sewingDamping;
+    if (phase_ == Phase::shaking && !goesOnAsItLay_ && state_.time < sewnTime_ + dressing.stiffeningTime)
+        return dressing.sewingDamping;
+    const bool isLeftAlone = grips_->empty() && !motion_;
+    const double held = grips_->empty() ? 0 : handDamping;
+    const double settling = phase_ == Phase::shaking || (settles_ && isLeftAlone) ? dressing.settlingDamping : 0;
+    return std::max({scene_.settings.damping, held, settling});
 }
 
 void Simulation::drapeWith(std::optional<dynamics::Method> method) {
@@ -332,6 +341,7 @@ Result<void> Simulation::advance(std::stop_token stop) {
     const auto start = std::chrono::steady_clock::now();
     const double duration = scene_.settings.frameStep;
     if (isAsleep()) {
+        if (stop.stop_requested()) return fail(ErrorCode::cancelled, "The step was stopped.");
         sleepFor(duration);
         return {};
     }
@@ -355,11 +365,16 @@ Result<void> Simulation::advance(std::stop_token stop) {
     const auto merged = mergeReadySeams();
     if (!merged) return tl::unexpected(merged.error());
     const bool closed = closeReadyTacks();
-    if (!closingSeams().empty() || closingTacks() > 0 || restingTime_ >= longEnough) goesOnAsItLay_ = false;
+    if (!closingSeams().empty() || closingTacks() > 0) goesOnAsItLay_ = false;
+    isCalm_ = speeds.areCalm();
     goOnDressing(*merged || closed);
     const bool isLeftAlone = phase_ == Phase::draping && !motion_;
+    const bool isDrivenByWind = phase_ == Phase::draping && scene_.settings.air;
     restingTime_ = isLeftAlone && speeds.areOfRest() ? restingTime_ + duration : 0;
     stillTime_ = isLeftAlone && speeds.areStill() ? stillTime_ + duration : 0;
+    const double settledAfter = goesOnAsItLay_ ? longEnough : hasSettledFor;
+    if (restingTime_ >= settledAfter || (isDrivenByWind && movedLast() > settledBy())) settles_ = false;
+    if (rests()) goesOnAsItLay_ = false;
     if (motion_) noteBody();
     stepSeconds_ = secondsSince(start);
     allSeconds_ += stepSeconds_;
@@ -402,8 +417,12 @@ Frame Simulation::frame() const {
     for (std::size_t tack = 0; tack < tacks_.size(); ++tack)
         if (!tacks_[tack].closed) frame.largestSeamGap = std::max(frame.largestSeamGap, gapOfTack(tack));
     frame.largestSpeed = largestSpeed_;
-    frame.atRest = restingTime_ >= longEnough;
+    frame.atRest = rests();
     return frame;
+}
+
+bool Simulation::rests() const {
+    return restingTime_ >= longEnough;
 }
 
 } // namespace toile::simulation

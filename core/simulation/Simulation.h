@@ -61,11 +61,14 @@ struct DressingSettings {
     double sewingDamping = 60;   ///< mass-proportional, while seams close: cloth that is let go by a bent tube would
                                  ///< otherwise fling into folds that differ left and right [1/s]
     double stiffeningTime = 0.5; ///< for which this damping goes on, as the cloth then no longer yields [s]
-    double shakingDamping = 3;   ///< mass-proportional, after that [1/s]
-    double shakingTime = 2.0;    ///< from the last seam on [s]
+    double settlingDamping = 8;  ///< mass-proportional, after that until the cloth is first as slow as at rest, and of
+                                 ///< what was edited until it rests: what swings in a second hardly swings over [1/s]
+    double shakingTime = 2.0;    ///< from the last seam on, at most [s]
+    double leastShaking = 0.75;  ///< at least, for the cloth to begin to fall; then it ends when it is calm [s]
     double editShakingTime =
         0.2;                 ///< of a garment that lay and was edited: friction would keep what lay where it lay [s]
-    double levelsTime = 4;   ///< of draping by coarse levels; cloth that has not come to rest goes on without [s]
+    double settlingTime = 4; ///< of draping by coarse levels, and so damped in wind; what has not come to rest goes on
+                             ///< without [s]
     int sewingSubsteps = 20; ///< of a frame step at most, while seams close: yielding cloth sews well
 };
 inline constexpr DressingSettings dressing;
@@ -212,10 +215,13 @@ private:
     void planLevels(const LevelPlan& corrected);
     void correctByDueLevels();
     [[nodiscard]] bool levelsMayHelp() const;
+    [[nodiscard]] bool rests() const;
+    [[nodiscard]] double movedLast() const; ///< when it did not rest [s]
+    [[nodiscard]] double settledBy() const; ///< when what was sewn should rest [s]
     [[nodiscard]] Result<dynamics::StepReport> moveCloth(double duration, std::stop_token stop);
     [[nodiscard]] std::unique_ptr<dynamics::Integrator> integratorOf(dynamics::Method method) const;
     [[nodiscard]] double damping() const;     ///< of the phase [1/s]
-    [[nodiscard]] double shakingTime() const; ///< how long the garment is shaken [s]
+    [[nodiscard]] double shakingTime() const; ///< how long the garment is shaken at most [s]
     [[nodiscard]] PhaseRun& runOfStep();      ///< of this phase by this method
     void note(double duration, const dynamics::StepReport& step);
     [[nodiscard]] Phase duePhase() const;
@@ -265,6 +271,8 @@ private:
     std::vector<TackState> tacks_;
     Phase phase_ = Phase::sewing;
     bool goesOnAsItLay_ = false;    ///< after an edit of a garment that lay: dressed as long as its seams close at once
+    bool settles_ = false;          ///< it was sewn or edited, and is damped until it has settled
+    bool isCalm_ = false;           ///< after the last frame step
     double sewnTime_ = 0;           ///< when the last seam was closed or given up [s]
     double plannedDamping_ = 0;     ///< that of the plan [1/s]
     int plannedLevels_ = 0;         ///< coarse levels of the plan

@@ -17,6 +17,7 @@ Checkpoint Simulation::checkpoint() {
                      .restingTime = restingTime_,
                      .largestSpeed = largestSpeed_,
                      .goesOnAsItLay = goesOnAsItLay_,
+                     .settles = settles_,
                      .positions = state_.positions,
                      .velocities = state_.velocities,
                      .contact = contactMemory()};
@@ -63,6 +64,7 @@ Result<Simulation> Simulation::resumed(Scene scene, const MeshOverrides& overrid
     after.restingTime_ = point.restingTime;
     after.largestSpeed_ = point.largestSpeed;
     after.goesOnAsItLay_ = point.goesOnAsItLay;
+    after.settles_ = point.settles;
     for (std::size_t seam = 0; seam < point.seams.size(); ++seam) {
         const Checkpoint::Seam& from = point.seams[seam];
         after.seams_[seam].merged = from.merged;

@@ -74,7 +74,8 @@ Phase Simulation::duePhase() const {
     for (const TackState& tack : tacks_)
         if (!tack.closed && !givenUp(tack)) return Phase::sewing;
     if (phase_ == Phase::sewing) return drapingMethod_ ? Phase::shaking : Phase::draping;
-    return state_.time > sewnTime_ + shakingTime() ? Phase::draping : phase_;
+    const double leastTime = isCalm_ ? std::min(dressing.leastShaking, shakingTime()) : shakingTime();
+    return state_.time > sewnTime_ + leastTime ? Phase::draping : phase_;
 }
 
 void Simulation::startDue() {

@@ -15,6 +15,8 @@ struct Speeds {
     /// No particle moves, or the cloth as a whole lies still while a few of its particles tremble, as position-based
     /// steps may let them for ever where cloth is crumpled.
     [[nodiscard]] bool areOfRest() const { return largest < 0.005 || mean < 0.0002; }
+    /// It has found its place and hardly moves on.
+    [[nodiscard]] bool areCalm() const { return mean < 0.005; }
     /// Not even that: in ten seconds no particle would go a millimetre, or the cloth a fifth of it.
     [[nodiscard]] bool areStill() const { return largest < 0.0001 || mean < 0.00002; }
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/StepPlan.h"
 
+#include "core/base/WallTime.h"
+
 #include <chrono>
 
 namespace toile::simulation {
@@ -49,7 +51,7 @@ private:
         if (!counts_) return work();
         const auto start = std::chrono::steady_clock::now();
         work();
-        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        seconds_ += secondsSince(start);
     }
 
     std::unique_ptr<dynamics::Stage> stage_;

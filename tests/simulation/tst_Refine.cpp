@@ -104,6 +104,7 @@ void tst_Refine::whatTheCoarseRunTookIsCounted() {
     report.simulatedSeconds = 5; // of the state's clock, which went on
     report.cpuSeconds = 2;
     report.wallSeconds = 1;
+    report.restWallSeconds = 0.5;
     const CoarseRun coarse{.particles = 7,
                            .simulatedSeconds = 3,
                            .heldSeconds = 2,
@@ -114,6 +115,7 @@ void tst_Refine::whatTheCoarseRunTookIsCounted() {
     count(coarse, report);
     QCOMPARE(report.cpuSeconds, 6.0);
     QCOMPARE(report.wallSeconds, 4.0);
+    QCOMPARE(report.restWallSeconds, 3.5);
     QCOMPARE(report.heldSeconds, 2.0);
     QCOMPARE(report.sleptSeconds, 1.0);
     QCOMPARE(report.simulatedSeconds, 5.0);

@@ -51,6 +51,7 @@ private slots:
     void whatLiesStillSleeps();
     void itWouldHaveLainThereAnyway();
     void aHandWakesIt();
+    void aStopIsHeardInSleep();
     void aCheckpointGoesOnToTheSameBits();
     void whatDrivesClothIsNamedWhereEnergyIsNotWatched();
     void clothThatIsPushedOutOfABodyIsToldOf();
@@ -100,6 +101,17 @@ void tst_Still::aHandWakesIt() {
     advance(simulation, 30);
     QCOMPARE(simulation.sleptTime(), slept);
     QVERIFY(geometry::distance(simulation.state().positions.front(), before.front()) > 0.01);
+}
+
+void tst_Still::aStopIsHeardInSleep() {
+    Simulation simulation = simulationOf(sheetOnTable());
+    (void)stepsToSleep(simulation);
+    const double time = simulation.state().time;
+    std::stop_source stop;
+    stop.request_stop();
+    const auto stopped = simulation.advance(stop.get_token());
+    QVERIFY(!stopped && stopped.error().code == ErrorCode::cancelled);
+    QCOMPARE(simulation.state().time, time);
 }
 
 void tst_Still::aCheckpointGoesOnToTheSameBits() {

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/Suite.h"
+#include "tests/simulation/Sewn.h"
+#include "tests/simulation/SmallScenes.h"
+
+#include <QTest>
+
+using namespace toile;
+using namespace toile::simulation;
+
+namespace {
+
+Scene fallingSquares() {
+    Scene scene = twoSquares(0.05);
+    scene.settings.gravity = {0, -9.81, 0};
+    return scene;
+}
+
+/// How long it is shaken [s].
+double shakenFor(const Scene& scene) {
+    Simulation simulation = simulationOf(scene);
+    while (simulation.phase() != Phase::draping && simulation.state().time < 6) run(simulation, 1);
+    double seconds = 0;
+    for (const PhaseRun& phase : simulation.phases())
+        if (phase.phase == Phase::shaking) seconds += phase.seconds;
+    return seconds;
+}
+
+/// Of the cloth as a whole [m/s].
+double speedOf(const Simulation& simulation) {
+    Vec3 momentum;
+    double all = 0;
+    const auto& mass = simulation.garment().model.mass;
+    for (std::size_t p = 0; p < mass.size(); ++p) {
+        momentum += simulation.state().velocities[p] * mass[p];
+        all += mass[p];
+    }
+    return length(momentum) / all;
+}
+
+/// Of cloth that falls through air as thick as the damping of what settles [m/s].
+constexpr double settlingSpeed = 9.81 / dressing.settlingDamping;
+
+} // namespace
+
+/// What was sewn finds its place without swinging, and then moves as its scene has it.
+class tst_Settling : public QObject {
+    Q_OBJECT
+private slots:
+    void whatIsCalmIsNotShakenOn();
+    void whatFallsIsShakenAsLongAsMayBe();
+    void itIsDampedUntilItHasSlowedDown();
+    void inWindItIsNotForEver();
+    void onceItHasLainItIsNot();
+    void whatWasNotSewnIsNot();
+};
+
+void tst_Settling::whatIsCalmIsNotShakenOn() {
+    const double seconds = shakenFor(twoSquares(0.05));
+    QVERIFY2(seconds >= dressing.leastShaking && seconds < dressing.leastShaking + 0.1,
+             qPrintable(QString::number(seconds)));
+}
+
+void tst_Settling::whatFallsIsShakenAsLongAsMayBe() {
+    const double seconds = shakenFor(fallingSquares());
+    QVERIFY2(seconds >= dressing.shakingTime && seconds < dressing.shakingTime + 0.05,
+             qPrintable(QString::number(seconds)));
+}
+
+void tst_Settling::itIsDampedUntilItHasSlowedDown() {
+    Simulation simulation = simulationOf(fallingSquares());
+    while (simulation.phase() != Phase::draping) run(simulation, 1);
+    run(simulation, 60 + 60 * static_cast<int>(dressing.settlingTime));
+    QVERIFY2(std::abs(speedOf(simulation) - settlingSpeed) < 0.02, qPrintable(QString::number(speedOf(simulation))));
+}
+
+void tst_Settling::inWindItIsNotForEver() {
+    Scene scene = fallingSquares();
+    scene.settings.air = Air{.wind = {0, -10, 0}};
+    Simulation simulation = simulationOf(scene);
+    while (simulation.phase() != Phase::draping) run(simulation, 1);
+    run(simulation, 60);
+    const double damped = speedOf(simulation);
+    run(simulation, 60 * static_cast<int>(dressing.settlingTime));
+    QVERIFY2(speedOf(simulation) > 2 * damped,
+             qPrintable(QString("%1, then %2 m/s").arg(damped).arg(speedOf(simulation))));
+}
+
+void tst_Settling::onceItHasLainItIsNot() {
+    const Scene scene = twoSquares(0.05);
+    Simulation simulation = simulationOf(scene);
+    while (!simulation.frame().atRest) run(simulation, 1);
+    simulation.hold({{.piece = "left", .material = {0.1, 0.1}, .target = {-0.1, 2, 0}}});
+    run(simulation, 10);
+    simulation.hold({});
+    const double before = speedOf(simulation);
+    run(simulation, 60);
+    const double expected = before * std::exp(-scene.settings.damping);
+    QVERIFY2(before > 0.1 && std::abs(speedOf(simulation) - expected) < 0.02 * expected,
+             qPrintable(QString("%1, then %2 m/s").arg(before).arg(speedOf(simulation))));
+}
+
+void tst_Settling::whatWasNotSewnIsNot() {
+    Scene scene = fallingSquares();
+    scene.pattern.seams.clear();
+    Simulation simulation = simulationOf(scene);
+    run(simulation, 30);
+    QVERIFY(speedOf(simulation) > 3 * settlingSpeed);
+}
+
+TOILE_TEST(tst_Settling)
+#include "tst_Settling.moc"
