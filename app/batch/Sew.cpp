@@ -115,7 +115,9 @@ void printSummary(const simulation::SewReport& report, const SewOptions& options
                closed, report.seams.size(),
                report.tacks.empty() ? "" : fmt::format("{} of {} tacks, ", tacked, report.tacks.size()),
                report.simulatedSeconds, report.wallSeconds,
-               report.ending + (report.restWallSeconds ? fmt::format(" after {:.1f} s", *report.restWallSeconds) : ""),
+               report.restWallSeconds && !report.ranOutOfTime()
+                   ? fmt::format("{} after {:.1f} s", report.ending, *report.restWallSeconds)
+                   : report.ending,
                report.residual ? fmt::format(", residual {:.1e}", *report.residual) : "");
     if (report.coarse)
         fmt::print("of it on its own mesh, of {} particles: {:.2f} s simulated in {:.1f} s; {}\n",
