@@ -115,7 +115,7 @@ void printSummary(const simulation::SewReport& report, const SewOptions& options
                closed, report.seams.size(),
                report.tacks.empty() ? "" : fmt::format("{} of {} tacks, ", tacked, report.tacks.size()),
                report.simulatedSeconds, report.wallSeconds,
-               report.restWallSeconds && !report.ranOutOfTime()
+               report.restWallSeconds && report.ending == "at rest"
                    ? fmt::format("{} after {:.1f} s", report.ending, *report.restWallSeconds)
                    : report.ending,
                report.residual ? fmt::format(", residual {:.1e}", *report.residual) : "");
