@@ -20,16 +20,11 @@
 namespace toile::simulation {
 namespace {
 
-constexpr double longEnough = 0.5;     ///< that slow, for a garment to be at rest [s]
-constexpr double hasSettledFor = 0.03; ///< that slow, for what was sewn to have settled: it is then judged undamped [s]
 /// Of the methods that adapt their step: RMS error of a part [m].
 constexpr double positionTolerance = 1e-4;
 /// Frame steps of backward Euler before a method takes over from XPBD, whose soft state would ring at the true
 /// stiffness: twice a factor of 1/ωh. Ref: Rannacher 1984
 constexpr int calming = 2;
-/// Of cloth that hands hold [1/s]: its taut edges are strings that would go on ringing, by position-based steps for
-/// ever.
-constexpr double handDamping = 5;
 /// The least of a frame step while they do: in few substeps cloth is soft, and a hand stretches it like rubber.
 constexpr int handSubsteps = 40;
 /// By which the sides of a merged seam may part when they are carried over to another mesh: along a curve their chords
@@ -215,24 +210,6 @@ int Simulation::fullSubsteps() const {
                                  loadOf(scene_));
 }
 
-/// Fine cloth may go on trembling by levels where it is crumpled; hands move it anyway. What came to rest by them stays
-/// as it lies: without them it is stiffer, and would begin to move.
-bool Simulation::levelsMayHelp() const {
-    return !grips_->empty() || movedLast() <= settledBy();
-}
-
-double Simulation::movedLast() const {
-    return state_.time - restingTime_;
-}
-
-double Simulation::settledBy() const {
-    return sewnTime_ + shakingTime() + dressing.settlingTime;
-}
-
-double Simulation::shakingTime() const {
-    return goesOnAsItLay_ ? dressing.editShakingTime : dressing.shakingTime;
-}
-
 void Simulation::planLevels(const LevelPlan& corrected) {
     if (!whyNoLevels_.empty()) return plan_.leaveOut("coarse levels", whyNoLevels_);
     plannedLevels_ = corrected.levels;
@@ -263,16 +240,6 @@ std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method 
                                     {.damping = plannedDamping_,
                                      .factorBytes = factorBytesOf(scene_, *garment_->mesh),
                                      .positionTolerance = positionTolerance});
-}
-
-double Simulation::damping() const {
-    if (phase_ == Phase::sewing) return dressing.sewingDamping;
-    if (phase_ == Phase::shaking && !goesOnAsItLay_ && state_.time < sewnTime_ + dressing.stiffeningTime)
-        return dressing.sewingDamping;
-    const bool isLeftAlone = grips_->empty() && !motion_;
-    const double held = grips_->empty() ? 0 : handDamping;
-    const double settling = phase_ == Phase::shaking || (settles_ && isLeftAlone) ? dressing.settlingDamping : 0;
-    return std::max({scene_.settings.damping, held, settling});
 }
 
 void Simulation::drapeWith(std::optional<dynamics::Method> method) {
@@ -368,13 +335,7 @@ Result<void> Simulation::advance(std::stop_token stop) {
     if (!closingSeams().empty() || closingTacks() > 0) goesOnAsItLay_ = false;
     isCalm_ = speeds.areCalm();
     goOnDressing(*merged || closed);
-    const bool isLeftAlone = phase_ == Phase::draping && !motion_;
-    const bool isDrivenByWind = phase_ == Phase::draping && scene_.settings.air;
-    restingTime_ = isLeftAlone && speeds.areOfRest() ? restingTime_ + duration : 0;
-    stillTime_ = isLeftAlone && speeds.areStill() ? stillTime_ + duration : 0;
-    const double settledAfter = goesOnAsItLay_ ? longEnough : hasSettledFor;
-    if (restingTime_ >= settledAfter || (isDrivenByWind && movedLast() > settledBy())) settles_ = false;
-    if (rests()) goesOnAsItLay_ = false;
+    noteRest(speeds, duration);
     if (motion_) noteBody();
     stepSeconds_ = secondsSince(start);
     allSeconds_ += stepSeconds_;
@@ -419,10 +380,6 @@ Frame Simulation::frame() const {
     frame.largestSpeed = largestSpeed_;
     frame.atRest = rests();
     return frame;
-}
-
-bool Simulation::rests() const {
-    return restingTime_ >= longEnough;
 }
 
 } // namespace toile::simulation

@@ -29,6 +29,8 @@
 
 namespace toile::simulation {
 
+struct Speeds;
+
 /// How far a seam is.
 struct SeamState {
     std::string name;
@@ -67,8 +69,8 @@ struct DressingSettings {
     double leastShaking = 0.75;  ///< at least, for the cloth to begin to fall; then it ends when it is calm [s]
     double editShakingTime =
         0.2;                 ///< of a garment that lay and was edited: friction would keep what lay where it lay [s]
-    double settlingTime = 4; ///< of draping by coarse levels, and so damped in wind; what has not come to rest goes on
-                             ///< without [s]
+    double settlingTime = 4; ///< after the longest shaking: of coarse levels, and in air of this damping; what has not
+                             ///< come to rest goes on without [s]
     int sewingSubsteps = 20; ///< of a frame step at most, while seams close: yielding cloth sews well
 };
 inline constexpr DressingSettings dressing;
@@ -215,6 +217,7 @@ private:
     void planLevels(const LevelPlan& corrected);
     void correctByDueLevels();
     [[nodiscard]] bool levelsMayHelp() const;
+    void noteRest(const Speeds& speeds, double duration);
     [[nodiscard]] bool rests() const;
     [[nodiscard]] double movedLast() const; ///< when it did not rest [s]
     [[nodiscard]] double settledBy() const; ///< when what was sewn should rest [s]

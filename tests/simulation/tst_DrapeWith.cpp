@@ -52,6 +52,7 @@ private slots:
         QCOMPARE(report.phases.size(), std::size_t(1));
         QVERIFY(report.phases[0].phase == Phase::sewing);
         QVERIFY(report.finishDisplacementMaximum.has_value());
+        QVERIFY(!report.restWallSeconds);
     }
 
     void aSceneWithoutSeamsHasNothingToCalm() {

@@ -89,6 +89,8 @@ void tst_Sew::twoSquaresReachTheirGoal() {
     const SewReport report = sewn(twoSquares(0.05));
     QCOMPARE(report.ending, std::string("at rest"));
     QVERIFY(report.allClosed() && report.atRest && report.reachedItsGoal({}));
+    QVERIFY(report.restWallSeconds && *report.restWallSeconds > 0 && *report.restWallSeconds <= report.wallSeconds);
+    QVERIFY(!sewn(twoSquares(0.05), {.seconds = 0.05}).restWallSeconds);
     QCOMPARE(report.seams[0].state.pairs, 5);
     QVERIFY(std::abs(report.seams[0].state.initialGap - 0.2) < 1e-12);
     QVERIFY(report.seams[0].state.gapAtMerge <= 0.5e-3);

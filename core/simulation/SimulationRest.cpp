@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Simulation.h"
+#include "core/simulation/Speeds.h"
+
+#include <algorithm>
+
+/// How what was sewn or edited settles, and when it rests (docs/decisions/0003-dressing.md).
+namespace toile::simulation {
+namespace {
+
+constexpr double longEnough = 0.5;     ///< that slow, for a garment to be at rest [s]
+constexpr double hasSettledFor = 0.03; ///< that slow, for what was sewn to have settled: it is then judged undamped [s]
+/// Of cloth that hands hold [1/s]: its taut edges are strings that would go on ringing, by position-based steps for
+/// ever.
+constexpr double handDamping = 5;
+
+} // namespace
+
+double Simulation::damping() const {
+    if (phase_ == Phase::sewing) return dressing.sewingDamping;
+    if (phase_ == Phase::shaking && !goesOnAsItLay_ && state_.time < sewnTime_ + dressing.stiffeningTime)
+        return dressing.sewingDamping;
+    const bool isLeftAlone = grips_->empty() && !motion_;
+    const double held = grips_->empty() ? 0 : handDamping;
+    const double settling = phase_ == Phase::shaking || (settles_ && isLeftAlone) ? dressing.settlingDamping : 0;
+    return std::max({scene_.settings.damping, held, settling});
+}
+
+double Simulation::shakingTime() const {
+    return goesOnAsItLay_ ? dressing.editShakingTime : dressing.shakingTime;
+}
+
+/// Fine cloth may go on trembling by levels where it is crumpled; hands move it anyway. What came to rest by them stays
+/// as it lies: without them it is stiffer, and would begin to move.
+bool Simulation::levelsMayHelp() const {
+    return !grips_->empty() || movedLast() <= settledBy();
+}
+
+bool Simulation::rests() const {
+    return restingTime_ >= longEnough;
+}
+
+double Simulation::movedLast() const {
+    return state_.time - restingTime_;
+}
+
+double Simulation::settledBy() const {
+    return sewnTime_ + shakingTime() + dressing.settlingTime;
+}
+
+/// After a frame step. What air moves may never be slow.
+void Simulation::noteRest(const Speeds& speeds, double duration) {
+    const bool drapes = phase_ == Phase::draping, isLeftAlone = drapes && !motion_;
+    restingTime_ = isLeftAlone && speeds.areOfRest() ? restingTime_ + duration : 0;
+    stillTime_ = isLeftAlone && speeds.areStill() ? stillTime_ + duration : 0;
+    const double settledAfter = goesOnAsItLay_ ? longEnough : hasSettledFor;
+    const bool tookTooLong = drapes && scene_.settings.air && movedLast() > settledBy();
+    if (restingTime_ >= settledAfter || tookTooLong) settles_ = false;
+    if (rests()) goesOnAsItLay_ = false;
+}
+
+} // namespace toile::simulation
