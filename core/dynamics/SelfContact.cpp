@@ -45,8 +45,8 @@ std::size_t SelfContact::bytes() const {
     const auto pairs = [](const auto& now, const auto& before) {
         return (now.capacity() + before.capacity()) * sizeof(now[0]);
     };
-    return vectors * sizeof(Vec3) + flags_.capacity() + strayed_.capacity() + pairs(watches_, before_.watches) +
-           pairs(contacts_, before_.contacts) + pairs(margins_, before_.margins) +
+    return vectors * sizeof(Vec3) + flags_.capacity() + strayed_.capacity() + hasStrayed_.capacity() +
+           pairs(watches_, before_.watches) + pairs(contacts_, before_.contacts) + pairs(margins_, before_.margins) +
            rubbing_.capacity() * sizeof(Rubbing) + coming_.capacity() * sizeof(Coming) +
            awake_.capacity() * sizeof(std::size_t) + (proximity_ ? proximity_->bytes() : 0);
 }
@@ -132,6 +132,8 @@ bool SelfContact::meetsOnTheWay(const Watch& watch, Contact& contact, const Subs
 
 void SelfContact::push(const Watch& watch, Contact& contact, const ContactPace& pace, Substep& substep) const {
     const auto& v = watch.elements.vertices;
+    for (const int p : v) // what has pushed its masters in this sweep has pushed it as well
+        if (slaveOf_[p] >= 0) placeSlave(slaveOf_[p], substep.positions);
     Vec3 way, slip;
     double mobility = 0; // [1/kg]
     for (int i = 0; i < 4; ++i) {

@@ -237,6 +237,7 @@ private:
     std::vector<Vec3> from_,
         moves_;                         ///< where particles were when neighbours were sought, the ways foreseen [m]
     std::vector<char> strayed_;         ///< flags of particles, while some are foreseen anew
+    std::vector<char> hasStrayed_;      ///< flags of those that were, since ways were foreseen for all
     double fromTime_ = 0, horizon_ = 0; ///< when that was, how long the ways take [s]
     double ahead_ = 1;                  ///< part of what should be looked ahead for which pairs are not too many [–]
     double slack_ = 0, staticMove_ = 0; ///< of the settings, what holds for the pairs watched now [m]

@@ -162,6 +162,7 @@ bool SelfContact::watch(const collision::SelfProximity::Pairs& pairs, std::span<
     margins_.clear();
     awake_.clear();
     awakeDone_ = awakeStrayed_ = -1;
+    hasStrayed_.assign(positions.size(), 0);
     from_.assign(positions.begin(), positions.end());
     ++searches_;
     return true;

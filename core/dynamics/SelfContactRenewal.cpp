@@ -16,6 +16,9 @@ namespace {
 
 /// Who is so far from its way is foreseen anew with those that are too far, for it would be next [of the slack].
 constexpr double far = 0.5;
+/// Who strays again and goes no farther in a substep is drawn by cloth and pushed back by layers in each: it stays near
+/// the middle [of the slack].
+constexpr double toAndFro = 1.5;
 /// With more than this part of all particles it is not worth it: each costs some ten times as much as in a whole
 /// search.
 constexpr std::size_t worth = 32;
@@ -46,6 +49,12 @@ bool SelfContact::foreseeStrayed(const Substep& substep) {
         if (squaredLength(end - from_[p] - after * moves_[p]) <= most) continue;
         strayed_[p] = 1;
         if (++count > from_.size() / worth) return false;
+        const bool isAgain = std::exchange(hasStrayed_[p], 1) != 0;
+        if (isAgain && squaredLength(end - start) <= toAndFro * slack_ * toAndFro * slack_) {
+            moves_[p] = {};
+            from_[p] = lerp(start, end, 0.5);
+            continue;
+        }
         if (part < stopped && squaredLength(end - start) > most) return false; // too fast for a clock that stands still
         moves_[p] = part < stopped ? Vec3{} : (end - start) / part;
         from_[p] = start - before * moves_[p];

@@ -111,7 +111,7 @@ Result<void> writeCheckpoint(const Checkpoint& point, const std::string& path) {
     json.set("time", point.time).set("steps", point.steps).set("phase", nameOf(point.phase));
     json.set("method", point.method).set("sewnTime", point.sewnTime).set("restingTime", point.restingTime);
     json.set("largestSpeed", point.largestSpeed).set("goesOnAsItLay", point.goesOnAsItLay);
-    json.set("settles", point.settles);
+    json.set("settles", point.settles).set("leaps", point.leaps);
     json.set("seams", std::move(seams)).set("tacks", std::move(tacks));
     json.set("positions", vectorsOf(point.positions)).set("velocities", vectorsOf(point.velocities));
     if (!point.contact.forces.empty()) json.set("contact", jsonOf(point.contact));
@@ -137,7 +137,8 @@ Result<Checkpoint> readCheckpoint(const std::string& path) {
                      .restingTime = numberFrom(root.required("restingTime"), 0, longest),
                      .largestSpeed = numberFrom(root.required("largestSpeed"), 0),
                      .goesOnAsItLay = root.required("goesOnAsItLay").truth(),
-                     .settles = root["settles"].truth()};
+                     .settles = root["settles"].truth(),
+                     .leaps = root["leaps"].truth()};
     for (JsonNode& seam : root.required("seams").items()) point.seams.push_back(seamOf(seam));
     for (JsonNode& tack : root["tacks"].items()) point.tacks.push_back(tackOf(tack));
     point.positions = vectorsOf(root.required("positions"));

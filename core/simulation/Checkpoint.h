@@ -36,6 +36,7 @@ struct Checkpoint {
     double largestSpeed = 0;         ///< [m/s]
     bool goesOnAsItLay = false;      ///< after an edit
     bool settles = false;            ///< as sewn or edited cloth is damped
+    bool leaps = false;              ///< is held back when its seams are closed
     std::vector<Seam> seams;         ///< as the pattern has them
     std::vector<Tack> tacks;         ///< the same
     std::vector<Vec3> positions;     ///< of particles [m]

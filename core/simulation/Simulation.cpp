@@ -31,6 +31,9 @@ constexpr int handSubsteps = 40;
 /// rise, and corners of both sides that a coarse mesh sews to each other are a few millimetres apart [m].
 constexpr double partedSides = 0.005;
 
+/// So many times the nodes of the mesh before are more than what an edit adds.
+constexpr double finer = 1.5;
+
 /// Particles where nodes are; nodes of one particle are taken at their mean.
 std::vector<Vec3> particlePositions(const ParticleMap& map, const std::vector<Vec3>& nodes) {
     std::vector<Vec3> sum(map.particleCount);
@@ -85,7 +88,7 @@ Simulation::Simulation(Scene scene, SceneParts parts, MeshOverrides overrides)
     seamStart_.assign(seams_.size(), -1);
     for (std::size_t tack = 0; tack < tacks_.size(); ++tack) tacks_[tack].initialGap = gapOfTack(tack);
     if (seams_.empty() && tacks_.empty()) phase_ = Phase::draping;
-    settles_ = phase_ == Phase::sewing && !scene_.paper;
+    settles_ = leaps_ = phase_ == Phase::sewing && !scene_.paper;
     startDue();
 }
 
@@ -135,6 +138,7 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, 
     }
     after.goesOnAsItLay_ = before.phase_ == Phase::draping || before.goesOnAsItLay_;
     after.settles_ = after.settles_ || after.goesOnAsItLay_;
+    after.leaps_ = !after.goesOnAsItLay_ || nodes.size() > finer * draped.size();
     after.sewnTime_ = after.state_.time;
     after.seamStart_.assign(after.seams_.size(), -1);
     for (TackState& tack : after.tacks_) tack.start = -1;
@@ -163,8 +167,9 @@ void Simulation::rebuildPlan() {
     if (touches && touched && plannedFor_ == garment_.get()) touches->goOnFrom(*touched, state_.positions);
     plannedFor_ = garment_.get();
     followBody();
-    plannedDamping_ = damping();
     safe_.reset();
+    if (!scene_.paper) planSubsteps();
+    plannedDamping_ = damping();
     if (scene_.paper) {
         integrator_ = integratorOf(dynamics::Method::subcycledEuler);
         return;
@@ -172,7 +177,6 @@ void Simulation::rebuildPlan() {
     xpbd_ = std::make_unique<dynamics::Xpbd>(
         garment_->model, dynamics::XpbdSettings{.damping = plannedDamping_, .speedLimit = speedLimit});
     xpbd_->workWith(teamOfStep());
-    planSubsteps();
     integrator_.reset();
     calmingFrames_ = 0;
     planEnergyWatch();

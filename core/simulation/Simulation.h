@@ -60,11 +60,16 @@ struct PhaseRun {
 constexpr double speedLimit = 10;
 
 struct DressingSettings {
-    double sewingDamping = 60;   ///< mass-proportional, while seams close: cloth that is let go by a bent tube would
-                                 ///< otherwise fling into folds that differ left and right [1/s]
+    double releaseDamping =
+        3000;                  ///< mass-proportional, in the first frame steps after the last seam or on a finer mesh,
+                               ///< by coarse levels: cloth that yielded is suddenly stiff, and would leap [1/s]
+    double releaseTime = 0.03; ///< for which it acts [s]
+    double sewingDamping = 60; ///< mass-proportional, while seams close: cloth that is let go by a bent tube would
+                               ///< otherwise fling into folds that differ left and right [1/s]
     double stiffeningTime = 0.5; ///< for which this damping goes on, as the cloth then no longer yields [s]
-    double settlingDamping = 8;  ///< mass-proportional, after that until the cloth is first as slow as at rest, and of
-                                 ///< what was edited until it rests: what swings in a second hardly swings over [1/s]
+    double settlingDamping = 8;  ///< mass-proportional, after that while the cloth is not as slow as at rest, until it
+                                 ///< rests; of what was edited until it rests: what swings in a second hardly swings
+                                 ///< over [1/s]
     double shakingTime = 2.0;    ///< from the last seam on, at most [s]
     double leastShaking = 0.75;  ///< at least, for the cloth to begin to fall; then it ends when it is calm [s]
     double editShakingTime =
@@ -274,7 +279,8 @@ private:
     std::vector<TackState> tacks_;
     Phase phase_ = Phase::sewing;
     bool goesOnAsItLay_ = false;    ///< after an edit of a garment that lay: dressed as long as its seams close at once
-    bool settles_ = false;          ///< it was sewn or edited, and is damped until it has settled
+    bool settles_ = false;          ///< it was sewn or edited, and has not rested since
+    bool leaps_ = false;            ///< it yields now, or folds as a coarser mesh did: suddenly stiff, it would leap
     bool isCalm_ = false;           ///< after the last frame step
     double sewnTime_ = 0;           ///< when the last seam was closed or given up [s]
     double plannedDamping_ = 0;     ///< that of the plan [1/s]

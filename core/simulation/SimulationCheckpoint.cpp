@@ -18,6 +18,7 @@ Checkpoint Simulation::checkpoint() {
                      .largestSpeed = largestSpeed_,
                      .goesOnAsItLay = goesOnAsItLay_,
                      .settles = settles_,
+                     .leaps = leaps_,
                      .positions = state_.positions,
                      .velocities = state_.velocities,
                      .contact = contactMemory()};
@@ -65,6 +66,7 @@ Result<Simulation> Simulation::resumed(Scene scene, const MeshOverrides& overrid
     after.largestSpeed_ = point.largestSpeed;
     after.goesOnAsItLay_ = point.goesOnAsItLay;
     after.settles_ = point.settles;
+    after.leaps_ = point.leaps;
     for (std::size_t seam = 0; seam < point.seams.size(); ++seam) {
         const Checkpoint::Seam& from = point.seams[seam];
         after.seams_[seam].merged = from.merged;

@@ -8,8 +8,8 @@
 namespace toile::simulation {
 namespace {
 
-constexpr double longEnough = 0.5;     ///< that slow, for a garment to be at rest [s]
-constexpr double hasSettledFor = 0.03; ///< that slow, for what was sewn to have settled: it is then judged undamped [s]
+constexpr double longEnough = 0.5;  ///< that slow, for a garment to be at rest [s]
+constexpr double slowEnough = 0.03; ///< that slow, for what was sewn to be judged by the scene's damping [s]
 /// Of cloth that hands hold [1/s]: its taut edges are strings that would go on ringing, by position-based steps for
 /// ever.
 constexpr double handDamping = 5;
@@ -18,12 +18,15 @@ constexpr double handDamping = 5;
 
 double Simulation::damping() const {
     if (phase_ == Phase::sewing) return dressing.sewingDamping;
+    if (phase_ == Phase::shaking && leaps_ && plannedLevels_ > 0 && state_.time < sewnTime_ + dressing.releaseTime)
+        return dressing.releaseDamping;
     if (phase_ == Phase::shaking && !goesOnAsItLay_ && state_.time < sewnTime_ + dressing.stiffeningTime)
         return dressing.sewingDamping;
     const bool isLeftAlone = grips_->empty() && !motion_;
     const double held = grips_->empty() ? 0 : handDamping;
-    const double settling = phase_ == Phase::shaking || (settles_ && isLeftAlone) ? dressing.settlingDamping : 0;
-    return std::max({scene_.settings.damping, held, settling});
+    const bool isSlow = restingTime_ >= (goesOnAsItLay_ ? longEnough : slowEnough);
+    const bool isSettling = phase_ == Phase::shaking || (settles_ && isLeftAlone && !isSlow);
+    return std::max({scene_.settings.damping, held, isSettling ? dressing.settlingDamping : 0});
 }
 
 double Simulation::shakingTime() const {
@@ -48,14 +51,13 @@ double Simulation::settledBy() const {
     return sewnTime_ + shakingTime() + dressing.settlingTime;
 }
 
-/// After a frame step. What air moves may never be slow.
+/// After a frame step. What air moves may never rest.
 void Simulation::noteRest(const Speeds& speeds, double duration) {
     const bool drapes = phase_ == Phase::draping, isLeftAlone = drapes && !motion_;
     restingTime_ = isLeftAlone && speeds.areOfRest() ? restingTime_ + duration : 0;
     stillTime_ = isLeftAlone && speeds.areStill() ? stillTime_ + duration : 0;
-    const double settledAfter = goesOnAsItLay_ ? longEnough : hasSettledFor;
     const bool tookTooLong = drapes && scene_.settings.air && movedLast() > settledBy();
-    if (restingTime_ >= settledAfter || tookTooLong) settles_ = false;
+    if (rests() || tookTooLong) settles_ = false;
     if (rests()) goesOnAsItLay_ = false;
 }
 

@@ -74,6 +74,7 @@ private slots:
     void crossedPiecesGoToTheSidesOfTheirLayers();
     void whatASeamWillBringTogetherIsNotPushed();
     void slavesOfTwoRegionsAreHeldToo();
+    void whatPushesASlaveIsNotAddedUp();
     void equalStartsGiveEqualBits();
 };
 
@@ -241,6 +242,38 @@ void tst_SelfContact::slavesOfTwoRegionsAreHeldToo() {
         QVERIFY(farthestSlave(cloth) < 1e-12);
     }
     QVERIFY(cloth.state.velocities.back() != before.back()); // of the sheet that was at rest
+}
+
+/// Two triangles with a slave between them come down on a pinned sheet of small cells: what one of its edges has pushed
+/// away is not pushed by the others again, though it is not the slave that they move but its masters.
+void tst_SelfContact::whatPushesASlaveIsNotAddedUp() {
+    constexpr double duration = frame / 20, high = 2 * thickness, low = 0.2 * thickness;
+    Cloth cloth;
+    append(cloth, 0.01, 10, 0.01, 10, 0.3, [](const Vec2& m) { return Vec3{m.x - 0.0052, 0, 0.0053 - m.y}; });
+    const int below = cloth.model.particleCount(), a = below, b = below + 1, c = below + 2, slave = below + 3;
+    for (const Vec3& place : {Vec3{0, high, -0.004}, Vec3{0, high, 0.004}, Vec3{0.004, high, 0}, Vec3{0, high, 0}}) {
+        cloth.state.positions.push_back(place);
+        cloth.model.mass.push_back(1e-6);
+        cloth.surface.halfThickness.push_back(thickness / 2);
+        cloth.surface.friction.push_back(0.3);
+        cloth.surface.room.push_back(0.004);
+    }
+    cloth.model.mass[slave] = 0;
+    cloth.model.slaves.push_back({slave, {{a, 0.5}, {b, 0.5}}});
+    cloth.surface.triangles.push_back({a, slave, c});
+    cloth.surface.triangles.push_back({slave, b, c});
+    std::vector<double> inverseMass(below, 0.0);
+    inverseMass.insert(inverseMass.end(), {1e6, 1e6, 1e6, 0.5e6});
+    std::vector<Vec3> places = cloth.state.positions;
+    for (int p = below; p <= slave; ++p) places[p].y = low;
+
+    SelfContact contact(cloth.model, cloth.surface);
+    contact.beginStep(cloth.state, frame);
+    dynamics::Substep substep{places, cloth.state.positions, inverseMass, duration, duration};
+    contact.project(substep);
+    for (int p = below; p <= slave; ++p)
+        QVERIFY2(places[p].y > 0.9 * thickness && places[p].y < 1.5 * thickness,
+                 qPrintable(QString("%1: %2").arg(p).arg(places[p].y)));
 }
 
 void tst_SelfContact::equalStartsGiveEqualBits() {

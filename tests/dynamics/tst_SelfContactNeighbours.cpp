@@ -86,6 +86,7 @@ private slots:
     void aFastParticleBringsItsOwnNeighboursOnly();
     void shorterSubstepsAreForeseenForShort();
     void whoStraysIsSoughtAlone();
+    void whoGoesToAndFroIsSoughtSeldom();
     void whoeverStraysLayersStayApart();
     void noPairIsMissedWhateverPartOfTheirWaysParticlesGo();
     void besideACrossingAllButWhatMustPassIsWatched();
@@ -143,6 +144,21 @@ void tst_SelfContactNeighbours::whoStraysIsSoughtAlone() {
     QVERIFY(watched.contact.renewals() > 0);
     QVERIFY(held[one].y > 0 && held[one].y < 0.004);
     QVERIFY(held == fresh.go(flung));
+}
+
+/// As what layers push back in each substep to where cloth has drawn it from.
+void tst_SelfContactNeighbours::whoGoesToAndFroIsSoughtSeldom() {
+    const Cloth cloth = twoSheets(10, 0.004);
+    const std::size_t one = cloth.state.positions.size() * 3 / 4; // in the middle of the upper sheet
+    OneSubstep substep(cloth);
+    substep.go(cloth.state.positions);
+    for (int s = 2; s <= 20; ++s) {
+        std::vector<Vec3> drawn = cloth.state.positions;
+        drawn[one].y += 0.0013;
+        substep.go(drawn, s);
+    }
+    QCOMPARE(substep.contact.searches(), 1);
+    QVERIFY2(substep.contact.renewals() <= 3, qPrintable(QString::number(substep.contact.renewals())));
 }
 
 /// Some are flung far, all others drift, for many substeps.

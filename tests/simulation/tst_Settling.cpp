@@ -40,6 +40,10 @@ double speedOf(const Simulation& simulation) {
 
 /// Of cloth that falls through air as thick as the damping of what settles [m/s].
 constexpr double settlingSpeed = 9.81 / dressing.settlingDamping;
+/// And of what is let go.
+constexpr double releaseSpeed = 9.81 / dressing.releaseDamping;
+/// So that the squares have coarse levels [m].
+constexpr double fineSpacing = 0.0025;
 
 } // namespace
 
@@ -50,6 +54,9 @@ private slots:
     void whatIsCalmIsNotShakenOn();
     void whatFallsIsShakenAsLongAsMayBe();
     void itIsDampedUntilItHasSlowedDown();
+    void whatMovesAgainBeforeItRestsIsDampedAgain();
+    void whatIsLetGoDoesNotLeap();
+    void whatIsRefinedDoesNotLeap();
     void inWindItIsNotForEver();
     void onceItHasLainItIsNot();
     void whatWasNotSewnIsNot();
@@ -72,6 +79,50 @@ void tst_Settling::itIsDampedUntilItHasSlowedDown() {
     while (simulation.phase() != Phase::draping) run(simulation, 1);
     run(simulation, 60 + 60 * static_cast<int>(dressing.settlingTime));
     QVERIFY2(std::abs(speedOf(simulation) - settlingSpeed) < 0.02, qPrintable(QString::number(speedOf(simulation))));
+}
+
+void tst_Settling::whatMovesAgainBeforeItRestsIsDampedAgain() {
+    Simulation simulation = simulationOf(twoSquares(0.05));
+    while (simulation.restingTime() < 0.1) run(simulation, 1);
+    QVERIFY(!simulation.frame().atRest);
+    simulation.hold({{.piece = "left", .material = {0.1, 0.1}, .target = {-0.1, 2, 0}}});
+    run(simulation, 10);
+    simulation.hold({});
+    const double before = speedOf(simulation);
+    run(simulation, 12);
+    const double expected = before * std::exp(-0.2 * dressing.settlingDamping);
+    QVERIFY2(before > 0.1 && std::abs(speedOf(simulation) - expected) < 0.05 * before,
+             qPrintable(QString("%1, then %2 m/s").arg(before).arg(speedOf(simulation))));
+}
+
+/// Weight acts from the first frame step after the last seam on, as long as which nothing gathers speed where coarse
+/// levels draw cloth together that yielded.
+void tst_Settling::whatIsLetGoDoesNotLeap() {
+    const auto speedAfter = [](double spacing, int frames) {
+        auto simulation = Simulation::create(fallingSquares(), {.spacing = spacing});
+        while (simulation->phase() == Phase::sewing) run(*simulation, 1);
+        run(*simulation, frames);
+        return speedOf(*simulation);
+    };
+    const double fine = speedAfter(fineSpacing, 1), later = speedAfter(fineSpacing, 6), coarse = speedAfter(0.02, 1);
+    QVERIFY2(fine < 2 * releaseSpeed && later > 20 * releaseSpeed && coarse > 20 * releaseSpeed,
+             qPrintable(QString("%1, later %2, coarse %3 m/s").arg(fine).arg(later).arg(coarse)));
+}
+
+/// Cloth on a finer mesh folds as the coarser one did. After an edit it goes on.
+void tst_Settling::whatIsRefinedDoesNotLeap() {
+    const Scene scene = fallingSquares();
+    const auto speedFrom = [&](double spacing) {
+        auto lying = Simulation::create(scene, {.spacing = spacing});
+        while (lying->phase() != Phase::draping) run(*lying, 1);
+        auto goesOn = Simulation::continued(scene, *lying, {.spacing = fineSpacing});
+        while (goesOn->phase() == Phase::sewing) run(*goesOn, 1);
+        run(*goesOn, 1);
+        return speedOf(*goesOn);
+    };
+    const double edited = speedFrom(fineSpacing), refined = speedFrom(0.02);
+    QVERIFY2(refined < 2 * releaseSpeed && edited > 10 * refined,
+             qPrintable(QString("%1 and %2 m/s").arg(edited).arg(refined)));
 }
 
 void tst_Settling::inWindItIsNotForEver() {

@@ -111,6 +111,8 @@ void tst_PropertyEditor::spacePressesTheFieldThatHasTheFocus() {
     sheet.press(rule, Qt::Key_Space);
     QVERIFY(rule.view()->isVisible());
     rule.hidePopup();
+    QTRY_VERIFY(!rule.view()->isVisible());
+    QVERIFY(QTest::qWaitForWindowActive(&sheet.bench.window));
     QVERIFY(!sheet.bench.workbench.isPlaying());
     sheet.press(sheet.bench.window.patternView(), Qt::Key_Space); // elsewhere it simulates
     QVERIFY(sheet.bench.workbench.isPlaying());
