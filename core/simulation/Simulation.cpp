@@ -168,7 +168,7 @@ void Simulation::rebuildPlan() {
     plannedFor_ = garment_.get();
     followBody();
     safe_.reset();
-    if (!scene_.paper) planSubsteps();
+    if (!scene_.paper) planSubsteps(); // with coarse levels cloth is damped otherwise
     plannedDamping_ = damping();
     if (scene_.paper) {
         integrator_ = integratorOf(dynamics::Method::subcycledEuler);
