@@ -174,8 +174,7 @@ void Simulation::rebuildPlan() {
         integrator_ = integratorOf(dynamics::Method::subcycledEuler);
         return;
     }
-    xpbd_ = std::make_unique<dynamics::Xpbd>(
-        garment_->model, dynamics::XpbdSettings{.damping = plannedDamping_, .speedLimit = speedLimit});
+    xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model, settingsOfXpbd());
     xpbd_->workWith(teamOfStep());
     integrator_.reset();
     calmingFrames_ = 0;
@@ -183,6 +182,10 @@ void Simulation::rebuildPlan() {
     if (phase_ == Phase::sewing || !drapingMethod_ || *drapingMethod_ == dynamics::Method::xpbd) return;
     if (!phases_.empty() && phases_.back().method == dynamics::nameOf(dynamics::Method::xpbd)) calmingFrames_ = calming;
     integrator_ = integratorOf(calmingFrames_ > 0 ? dynamics::Method::backwardEuler : *drapingMethod_);
+}
+
+dynamics::XpbdSettings Simulation::settingsOfXpbd() const {
+    return {.damping = plannedDamping_, .speedLimit = speedLimit};
 }
 
 dynamics::ContactMemory Simulation::contactMemory() const {

@@ -228,7 +228,9 @@ private:
     [[nodiscard]] double settledBy() const; ///< when what was sewn should rest [s]
     [[nodiscard]] Result<dynamics::StepReport> moveCloth(double duration, std::stop_token stop);
     [[nodiscard]] std::unique_ptr<dynamics::Integrator> integratorOf(dynamics::Method method) const;
-    [[nodiscard]] double damping() const;     ///< of the phase [1/s]
+    [[nodiscard]] double damping() const; ///< of the phase [1/s]
+    void dampAnew();
+    [[nodiscard]] dynamics::XpbdSettings settingsOfXpbd() const;
     [[nodiscard]] double shakingTime() const; ///< how long the garment is shaken at most [s]
     [[nodiscard]] PhaseRun& runOfStep();      ///< of this phase by this method
     void note(double duration, const dynamics::StepReport& step);

@@ -148,9 +148,10 @@ void Simulation::goOnDressing(bool closedSome) {
     startDue();
     const Phase due = duePhase();
     if (due != phase_ && phase_ == Phase::sewing) sewnTime_ = state_.time;
-    if (!closedSome && due == phase_ && closingSeams().size() + closingTacks() == closing &&
-        damping() == plannedDamping_ && !(plannedLevels_ > 0 && !levelsMayHelp()))
-        return;
+    const bool planStands = !closedSome && due == phase_ && closingSeams().size() + closingTacks() == closing &&
+                            !(plannedLevels_ > 0 && !levelsMayHelp());
+    if (planStands && damping() == plannedDamping_) return;
+    if (planStands && phase_ == Phase::draping && !integrator_) return dampAnew();
     phase_ = due;
     rebuildPlan();
 }

@@ -29,6 +29,14 @@ double Simulation::damping() const {
     return std::max({scene_.settings.damping, held, isSettling ? dressing.settlingDamping : 0});
 }
 
+/// The plan stands. In a new one coarse levels and layers have forgotten what they bore, and cloth that hardly moves is
+/// set in motion.
+void Simulation::dampAnew() {
+    plannedDamping_ = damping();
+    stillTime_ = 0;
+    xpbd_->setSettings(settingsOfXpbd());
+}
+
 double Simulation::shakingTime() const {
     return goesOnAsItLay_ ? dressing.editShakingTime : dressing.shakingTime;
 }

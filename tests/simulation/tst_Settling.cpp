@@ -55,6 +55,7 @@ private slots:
     void whatFallsIsShakenAsLongAsMayBe();
     void itIsDampedUntilItHasSlowedDown();
     void whatMovesAgainBeforeItRestsIsDampedAgain();
+    void whatHasSlowedDownKeepsItsPlan();
     void whatIsLetGoDoesNotLeap();
     void whatIsRefinedDoesNotLeap();
     void inWindItIsNotForEver();
@@ -93,6 +94,19 @@ void tst_Settling::whatMovesAgainBeforeItRestsIsDampedAgain() {
     const double expected = before * std::exp(-0.2 * dressing.settlingDamping);
     QVERIFY2(before > 0.1 && std::abs(speedOf(simulation) - expected) < 0.05 * before,
              qPrintable(QString("%1, then %2 m/s").arg(before).arg(speedOf(simulation))));
+}
+
+/// A new one has forgotten what layers and coarse levels bore.
+void tst_Settling::whatHasSlowedDownKeepsItsPlan() {
+    Scene scene = twoSquares(0.05);
+    scene.settings.selfContact = true;
+    Simulation simulation = simulationOf(scene);
+    while (simulation.phase() != Phase::draping) run(simulation, 1);
+    QVERIFY(simulation.restingTime() < 0.02); // it is damped as what settles still
+    const auto* contact = simulation.plan().find("self-contact");
+    QVERIFY(contact);
+    while (simulation.restingTime() < 0.1) run(simulation, 1);
+    QCOMPARE(simulation.plan().find("self-contact"), contact);
 }
 
 /// Weight acts from the first frame step after the last seam on, as long as which nothing gathers speed where coarse
