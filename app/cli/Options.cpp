@@ -147,7 +147,7 @@ void declareSew(CLI::App& app, Chosen& chosen) {
         });
     auto* checkpoint = command->add_option(
         "--checkpoint", options->checkpoint,
-        "write where the simulation stands at the end, also when it is stopped (Ctrl+C, SIGTERM, SIGHUP)");
+        "write where the simulation stands at the end, also when it is stopped (Ctrl+C, SIGTERM, SIGHUP, SIGPIPE)");
     command->add_option("--resume", options->resume, "go on from a checkpoint of the same garment, body and options")
         ->excludes(refine); // it stands on the fine mesh already
     auto* lift = command

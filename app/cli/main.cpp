@@ -19,12 +19,13 @@ extern "C" void wantStop(int signal) {
     stopIsWanted = 1;
 }
 
-/// Ctrl+C, being told to end, and the end of the terminal ask the work to stop; a Ctrl+C after that ends the program at
-/// once.
+/// Ctrl+C, being told to end, and the end of the terminal or of who reads the output ask the work to stop; a Ctrl+C
+/// after that ends the program at once.
 std::stop_source stopOnSignals() {
     std::signal(SIGINT, wantStop);
     std::signal(SIGTERM, wantStop);
-    if (std::signal(SIGHUP, wantStop) == SIG_IGN) std::signal(SIGHUP, SIG_IGN); // as nohup wants it
+    for (const int signal : {SIGHUP, SIGPIPE})
+        if (std::signal(signal, wantStop) == SIG_IGN) std::signal(signal, SIG_IGN); // as nohup wants it
     static std::stop_source source;
     std::thread([] { // a signal handler may not touch a stop source
         while (stopIsWanted == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));

@@ -165,6 +165,7 @@ void tst_SewOutputs::anInterruptLeavesNothingBehind_data() {
     QTest::newRow("Ctrl+C") << SIGINT;
     QTest::newRow("told to end") << SIGTERM;
     QTest::newRow("the terminal is closed") << SIGHUP;
+    QTest::newRow("nobody reads on") << SIGPIPE;
 }
 
 void tst_SewOutputs::anInterruptLeavesNothingBehind() {
