@@ -25,7 +25,7 @@ std::stop_source stopOnSignals() {
     std::signal(SIGINT, wantStop);
     std::signal(SIGTERM, wantStop);
     for (const int signal : {SIGHUP, SIGPIPE})
-        if (std::signal(signal, wantStop) == SIG_IGN) std::signal(signal, SIG_IGN); // as nohup wants it
+        if (std::signal(signal, wantStop) == SIG_IGN) std::signal(signal, SIG_IGN); // as who began it wants, nohup too
     static std::stop_source source;
     std::thread([] { // a signal handler may not touch a stop source
         while (stopIsWanted == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
