@@ -32,6 +32,7 @@ private Q_SLOTS:
     }
     void propertiesChangeTheDocument();
     void undoIsOneKeyPerStep();
+    void keysOfWhatCannotBeDoneSayWhy();
     void unsavedChangesAskBeforeTheyAreLost();
     void noShortcutIsUsedTwiceOrClosesTheWindow();
     void shortcutsAreTheUsers();
@@ -69,6 +70,23 @@ void tst_MainWindow::undoIsOneKeyPerStep() {
     QVERIFY(bench.workbench.document() == twoRectangles());
     bench.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(!(bench.workbench.document() == twoRectangles()));
+}
+
+void tst_MainWindow::keysOfWhatCannotBeDoneSayWhy() {
+    Bench bench;
+    const QLabel& said = *bench.find<QLabel>("statusMessage");
+    const auto undo = [&] { QTest::keyClick(&bench.window.patternView(), Qt::Key_Z, Qt::ControlModifier); };
+    bench.key(Qt::Key_L, Qt::ControlModifier);
+    QCOMPARE(said.text(), QStringLiteral("Lift the arms: There is no avatar that could move."));
+    undo();
+    QCOMPARE(said.text(), QStringLiteral("Undo: There is nothing to undo."));
+    bench.workbench.startFrom(twoRectangles(), {}, false);
+    bench.key(Qt::Key_Z);
+    bench.drag({0.1, 0.15}, {0.12, 0.17});
+    bench.workbench.tell({});
+    undo();
+    QVERIFY(bench.workbench.document() == twoRectangles());
+    QVERIFY2(said.text().isEmpty(), qPrintable(said.text()));
 }
 
 void tst_MainWindow::unsavedChangesAskBeforeTheyAreLost() {

@@ -69,6 +69,13 @@ void Actions::allow(const QString& id, const QString& whyNot) {
     else action.setToolTip(whyNot);
 }
 
+QString Actions::whyNot(const QKeySequence& keys) const {
+    for (const QAction* action : inOrder_)
+        if (!action->isEnabled() && action->shortcut() == keys)
+            return QStringLiteral("%1: %2").arg(plainText(action->text()), action->toolTip());
+    return {};
+}
+
 QAction* Actions::operator[](const QString& id) const {
     QAction* action = byId_.value(id);
     expects(action, "an action of this id");

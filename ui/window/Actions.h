@@ -40,6 +40,9 @@ public:
 
     /// Whether it can be done now: whyNot is empty, or becomes its tip.
     void allow(const QString& id, const QString& whyNot);
+    /// Of the action that these keys would trigger if it could be done now: what it is, and why it can't be. Else
+    /// empty.
+    [[nodiscard]] QString whyNot(const QKeySequence& keys) const;
 
     /// The actions of these ids; "-" is a separator.
     void fill(QWidget& menuOrBar, const QStringList& ids) const;

@@ -223,14 +223,15 @@ void MainWindow::showTitle() {
 
 void MainWindow::showHistory() {
     const document::History& history = workbench_.history();
-    const auto show = [this](const char* id, bool enabled, const QString& text, const std::string& step) {
-        QAction* action = actions_[QLatin1String(id)];
-        action->setEnabled(enabled);
-        action->setText(step.empty() ? text : tr("%1 “%2”").arg(text, QString::fromStdString(step)));
+    const auto show = [this](const char* id, const QString& whyNot, const QString& text, const std::string& step) {
+        actions_.allow(QLatin1String(id), whyNot);
+        actions_[QLatin1String(id)]->setText(step.empty() ? text
+                                                          : tr("%1 “%2”").arg(text, QString::fromStdString(step)));
     };
-    show("edit.undo", history.canUndo(), tr("&Undo"), history.undoName());
-    show("edit.redo", history.canRedo(), tr("&Redo"), history.redoName());
-    actions_["avatar.remove"]->setEnabled(!workbench_.document().avatarFile.empty());
+    show("edit.undo", history.canUndo() ? QString() : tr("There is nothing to undo."), tr("&Undo"), history.undoName());
+    show("edit.redo", history.canRedo() ? QString() : tr("There is nothing to redo."), tr("&Redo"), history.redoName());
+    actions_.allow(QStringLiteral("avatar.remove"),
+                   workbench_.document().avatarFile.empty() ? tr("There is no avatar.") : QString());
 }
 
 void MainWindow::about() {
@@ -247,6 +248,13 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     if (!isPressOfAField(*event)) return QMainWindow::eventFilter(watched, event);
     event->accept(); // no shortcut, but a key for the field
     return true;
+}
+
+/// Of keys that nothing below and no shortcut took: Qt passes over shortcuts of what is disabled.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    const QString why = actions_.whyNot(QKeySequence(event->keyCombination()));
+    if (why.isEmpty()) QMainWindow::keyPressEvent(event);
+    else status_->tell(why, false);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
