@@ -11,6 +11,10 @@
 namespace toile::study {
 namespace {
 
+/// Told apart on white, also by most who see few colours. Black is the front's.
+constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
+                             "#56b4e9", "#7b3294", "#8c510a", "#9a9a00", "#707070"};
+
 /// As gnuplot reads it between single quotes.
 std::string quoted(const std::string& text) {
     std::string doubled;
@@ -34,11 +38,12 @@ void appendData(std::string& text, const ErrorTimePlot& plot) {
 void appendCurves(std::string& text, const ErrorTimePlot& plot) {
     const auto out = std::back_inserter(text);
     for (int i = 0; const PlotCurve& curve : plot.curves) {
-        const int colour = curve.colour >= 0 ? curve.colour : i;
-        fmt::format_to(out,
-                       "  $curve{} using 1:2 with linespoints linetype {} pointtype {} dashtype {} linewidth 1.5 "
-                       "title {}, \\\n",
-                       i, colour + 1, colour + 4, curve.dashed ? 2 : 1, quoted(curve.title));
+        const auto colour = static_cast<std::size_t>(curve.colour >= 0 ? curve.colour : i);
+        fmt::format_to(
+            out,
+            "  $curve{} using 1:2 with linespoints linecolor rgb '{}' pointtype {} dashtype {} linewidth 1.5 "
+            "title {}, \\\n",
+            i, colours[colour % colours.size()], colour + 4, curve.dashed ? 2 : 1, quoted(curve.title));
         if (!plot.pointLabels.empty())
             fmt::format_to(out,
                            "  $curve{} using 1:2:(sprintf('{}', $3)) with labels offset 0,0.8 font ',9' notitle, \\\n",

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/AccuracyRecords.h"
 #include "core/study/AccuracyReport.h"
+#include "core/study/ErrorTimePlot.h"
 #include "tests/Suite.h"
 #include "tests/study/Reports.h"
 
+#include <QRegularExpression>
+#include <QSet>
 #include <QTest>
 #include <cmath>
+#include <fmt/format.h>
 
 using namespace toile;
 using dynamics::Method;
@@ -38,6 +42,7 @@ private slots:
     void methodsShowTheirOrder_data();
     void methodsShowTheirOrder();
     void whatLiesInTheBandStandsAtItsEdge();
+    void everyMethodOfAPlotHasItsOwnColour();
     void aRunThatFailsIsSaidAndTheOthersGoOn();
     void whatIsNoSceneIsSaid();
     void itCanBeStopped();
@@ -101,6 +106,16 @@ void tst_Accuracy::whatLiesInTheBandStandsAtItsEdge() {
     const std::string near = study::accuracyText({result}, here);
     QVERIFY(near.find("A millimetre is cheapest by trbdf2") != std::string::npos); // 0.3 mm is
     QVERIFY(study::gnuplotScript(result, 1).find(" 0.3 5\n") != std::string::npos);
+}
+
+void tst_Accuracy::everyMethodOfAPlotHasItsOwnColour() {
+    study::ErrorTimePlot plot;
+    for (int i = 0; i < 10; ++i) plot.curves.push_back({fmt::format("method {}", i), {{1, 1, 1}}});
+    const QString script = QString::fromStdString(study::gnuplotScript(plot, "methods"));
+    static const QRegularExpression colour(QStringLiteral("linespoints linecolor rgb '(#[0-9a-f]{6})'"));
+    QSet<QString> seen;
+    for (auto match = colour.globalMatch(script); match.hasNext();) seen.insert(match.next().captured(1));
+    QCOMPARE(seen.size(), 10);
 }
 
 void tst_Accuracy::aRunThatFailsIsSaidAndTheOthersGoOn() {
