@@ -72,7 +72,7 @@ ContactSample middleOf(std::span<const ContactSample* const> corners) {
 }
 
 BodyContact::BodyContact(const collision::BodySurface& body, std::vector<ContactSample> samples,
-                         BodyContactSettings settings)
+                         BodyContactSettings settings, std::span<const int> pinned)
     : settings_(settings), tracker_(body, samples.size(), settings.planeReach) {
     samples_.reserve(samples.size());
     for (const ContactSample& given : samples) {
@@ -83,7 +83,9 @@ BodyContact::BodyContact(const collision::BodySurface& body, std::vector<Contact
         for (const auto& [particle, weight] : given.particles) terms_.push_back({particle, weight});
     }
     std::vector<bool> taken(terms_.empty() ? 0 : std::ranges::max(terms_, {}, &Term::particle).particle + 1);
+    const auto isPinned = [&](const Term& term) { return std::ranges::binary_search(pinned, term.particle); };
     for (int s = 0; s < std::ssize(samples_); ++s) {
+        if (std::ranges::all_of(termsOf(samples_[s]), isPinned)) continue;
         const int particle = termsOf(samples_[s])[0].particle;
         const bool isAlone = samples_[s].termCount == 1 && !taken[particle];
         (isAlone ? alone_ : blends_).push_back(s);

@@ -67,9 +67,10 @@ struct ContactMemory {
 /// position-based. docs/collision.md
 class BodyContact final : public Stage {
 public:
-    /// The body is borrowed and outlives the stage.
+    /// The body is borrowed and outlives the stage. Samples on pinned particles alone (rising) are not looked at in a
+    /// substep: none moves them.
     BodyContact(const collision::BodySurface& body, std::vector<ContactSample> samples,
-                BodyContactSettings settings = {});
+                BodyContactSettings settings = {}, std::span<const int> pinned = {});
 
     /// The body moves from now on: the surface of this motion is the one that the stage was made with. Borrowed.
     void follow(collision::MovingSurface& motion) { motion_ = &motion; }

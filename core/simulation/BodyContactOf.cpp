@@ -136,7 +136,7 @@ std::unique_ptr<dynamics::Stage> bodyContactOf(const Scene& scene, const Garment
     appendInner(samples, garment, NearBumps(body.bumps()), positions, body.hasMoved());
     dynamics::BodyContactSettings settings{.skinOffset = scene.settings.skinOffset, .bearsLayers = bearsLayers};
     if (garment.model.particleCount() > mostTakenBack) settings.takings = 0;
-    return std::make_unique<dynamics::BodyContact>(body, std::move(samples), settings);
+    return std::make_unique<dynamics::BodyContact>(body, std::move(samples), settings, garment.model.pinned);
 }
 
 dynamics::BodyContact* bodyContactIn(const StepPlan& plan) {

@@ -50,7 +50,7 @@ void leaveOutElements(StepPlan& plan, const Garment& garment) {
 
 } // namespace
 
-StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
+StepPlan planOf(const Scene& scene, const Garment& garment, const Garment& awake, const collision::BodySurface* body,
                 std::unique_ptr<BodyPins> carried, std::vector<SeamPair> pairs, std::span<const TackState> tacks,
                 std::shared_ptr<const std::vector<Grip>> grips, std::span<const Vec3> positions,
                 std::span<const std::string> forced, Phase phase) {
@@ -78,7 +78,7 @@ StepPlan planOf(const Scene& scene, const Garment& garment, const collision::Bod
 
     const double damping = scene.settings.strainDamping;
     if (isForced("strain damping") || (damping > 0 && !scene.paper && !isSewing))
-        plan.add(std::make_unique<dynamics::StrainDamping>(garment.model, damping, positions));
+        plan.add(std::make_unique<dynamics::StrainDamping>(awake.model, damping, positions));
     else if (damping == 0) plan.leaveOut("strain damping", "the scene has none");
     else plan.leaveOut("strain damping", scene.paper ? "the paper's springs have none" : whileSewing);
 
@@ -101,12 +101,12 @@ StepPlan planOf(const Scene& scene, const Garment& garment, const collision::Bod
     } else plan.leaveOut("hands", "nobody holds the cloth");
 
     if (isForced("strain limit") || (isHeld && !scene.paper && !garment.model.structural.empty()))
-        plan.add(std::make_unique<dynamics::StrainLimit>(garment.model, held));
+        plan.add(std::make_unique<dynamics::StrainLimit>(awake.model, held));
     else if (!isHeld) plan.leaveOut("strain limit", "nobody holds the cloth");
     else plan.leaveOut("strain limit", scene.paper ? "the paper's springs give" : "no woven piece");
 
     const std::string whyNot = whyNoSelfContact(scene, garment, isForced("self-contact"));
-    if (body) plan.add(bodyContactOf(scene, garment, *body, positions, whyNot.empty()));
+    if (body) plan.add(bodyContactOf(scene, awake, *body, positions, whyNot.empty()));
     else plan.leaveOut("body contact", "no body");
 
     if (scene.paper) plan.leaveOut("seams that meet", "the paper sews by a force");

@@ -13,14 +13,15 @@
 
 namespace toile::simulation {
 
-/// What one step of this scene does: read from top to bottom. body may be null; pairs are those of seams being
-/// closed; tacks those of the pattern; grips what hands hold; positions those of the particles now [m]; carried is null
-/// unless the body moves and cloth is pinned to it. Stages that are forced are built although the scene has no use for
-/// them: "wind", "pressure", "strain damping", "seams", "tacks", "hands", "strain limit", "seams that meet",
-/// "self-contact".
-[[nodiscard]] StepPlan planOf(const Scene& scene, const Garment& garment, const collision::BodySurface* body,
-                              std::unique_ptr<BodyPins> carried, std::vector<SeamPair> pairs,
-                              std::span<const TackState> tacks, std::shared_ptr<const std::vector<Grip>> grips,
-                              std::span<const Vec3> positions, std::span<const std::string> forced, Phase phase);
+/// What one step of this scene does: read from top to bottom. awake is what of the garment moves; body may be null;
+/// pairs are those of seams being closed; tacks those of the pattern; grips what hands hold; positions those of the
+/// particles now [m]; carried is null unless the body moves and cloth is pinned to it. Stages that are forced are built
+/// although the scene has no use for them: "wind", "pressure", "strain damping", "seams", "tacks", "hands", "strain
+/// limit", "seams that meet", "self-contact".
+[[nodiscard]] StepPlan planOf(const Scene& scene, const Garment& garment, const Garment& awake,
+                              const collision::BodySurface* body, std::unique_ptr<BodyPins> carried,
+                              std::vector<SeamPair> pairs, std::span<const TackState> tacks,
+                              std::shared_ptr<const std::vector<Grip>> grips, std::span<const Vec3> positions,
+                              std::span<const std::string> forced, Phase phase);
 
 } // namespace toile::simulation

@@ -19,6 +19,8 @@ Result<Refined> refined(Simulation coarse, Scene scene, const MeshOverrides& fin
                     .heldSeconds = sewn->heldSeconds,
                     .sleptSeconds = sewn->sleptSeconds,
                     .sleptSavedSeconds = sewn->sleptSavedSeconds,
+                    .sleptApartSteps = sewn->sleptApartSteps,
+                    .sleptApartSavedSeconds = sewn->sleptApartSavedSeconds,
                     .cpuSeconds = sewn->cpuSeconds,
                     .wallSeconds = sewn->wallSeconds,
                     .ending = sewn->ending}};
@@ -33,6 +35,8 @@ void count(const CoarseRun& coarse, SewReport& report) {
     report.heldSeconds += coarse.heldSeconds;
     report.sleptSeconds += coarse.sleptSeconds;
     report.sleptSavedSeconds += coarse.sleptSavedSeconds;
+    report.sleptApartSteps += coarse.sleptApartSteps;
+    report.sleptApartSavedSeconds += coarse.sleptApartSavedSeconds;
     report.cpuSeconds += coarse.cpuSeconds;
     report.wallSeconds += coarse.wallSeconds;
     if (report.restWallSeconds) *report.restWallSeconds += coarse.wallSeconds;

@@ -146,6 +146,12 @@ void tellOfSleep(SewReport& result) {
         result.leftOut.push_back({"frame steps",
                                   fmt::format("of {:.1f} s: nothing had moved for a second", result.sleptSeconds),
                                   result.sleptSavedSeconds});
+    if (result.sleptApartSteps > 0)
+        result.leftOut.push_back({"frame steps of pieces",
+                                  fmt::format("as many as {:.1f} of the garment: they had not moved for a second, "
+                                              "others did",
+                                              result.sleptApartSteps),
+                                  result.sleptApartSavedSeconds});
 }
 
 void warnOfTimeLimit(SewReport& result) {
@@ -236,6 +242,8 @@ Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::
     result.simulatedSeconds = simulation.state().time;
     result.sleptSeconds = simulation.sleptTime();
     result.sleptSavedSeconds = simulation.savedBySleep();
+    result.sleptApartSteps = simulation.stepsSleptApart();
+    result.sleptApartSavedSeconds = simulation.savedBySleepApart();
     result.steps = simulation.steps();
     result.substeps = simulation.substeps();
     result.peakBytes = peakBytes();

@@ -53,6 +53,7 @@ struct StageShare {
 struct CoarseRun {
     int particles = 0, steps = 0;
     double simulatedSeconds = 0, heldSeconds = 0, sleptSeconds = 0, sleptSavedSeconds = 0; ///< as in SewReport [s]
+    double sleptApartSteps = 0, sleptApartSavedSeconds = 0;                                ///< as in SewReport
     double cpuSeconds = 0, wallSeconds = 0;                                                ///< [s]
     std::string ending;                                                                    ///< as in SewReport
 };
@@ -77,6 +78,8 @@ struct SewReport {
     double heldSeconds = 0;                ///< of them after rest, to see whether a waistband stays [s]
     double sleptSeconds = 0;               ///< of them in which nothing moved, so that nothing was computed [s]
     double sleptSavedSeconds = 0;          ///< as Simulation::savedBySleep
+    double sleptApartSteps = 0;            ///< as Simulation::stepsSleptApart
+    double sleptApartSavedSeconds = 0;     ///< as Simulation::savedBySleepApart
     int steps = 0, substeps = 0;
     std::optional<CoarseRun> coarse; ///< counted in the seconds and steps above
     bool atRest = false;             ///< in a scene of the paper by speed alone: its explicit steps find no equilibrium

@@ -140,6 +140,8 @@ Json toJson(const SewReport& report) {
     json.set("simulatedSeconds", report.simulatedSeconds).set("heldSeconds", report.heldSeconds);
     json.set("sleptSeconds", report.sleptSeconds);
     json.set("sleptSavedSeconds", report.sleptSavedSeconds);
+    json.set("sleptApartSteps", report.sleptApartSteps);
+    json.set("sleptApartSavedSeconds", report.sleptApartSavedSeconds);
     json.set("cpuSeconds", report.cpuSeconds).set("wallSeconds", report.wallSeconds);
     json.set("restWallSeconds", numberOrNull(report.restWallSeconds));
     json.set("coarse", toJson(report.coarse));

@@ -148,6 +148,11 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, 
 }
 
 void Simulation::rebuildPlan() {
+    if (sleepers_) sleepers_->wake();
+    planAnew();
+}
+
+void Simulation::planAnew() {
     std::vector<SeamPair> pairs;
     for (const std::size_t seam : closingSeams()) {
         const auto& nodes = garment_->mesh->seams[seam].pairs;
@@ -157,24 +162,27 @@ void Simulation::rebuildPlan() {
         }
     }
     stillTime_ = 0;
+    const auto former = std::exchange(awake_, awakeNow()); // to its model refers what still stands
     addCosts(formerCosts_, plan_.costs());
     Scene now = scene_;
     if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
-    const StepPlan before = std::exchange(plan_, planOf(now, *garment_, body_.get(), carriedAlong(), std::move(pairs),
-                                                        tacks_, grips_, state_.positions, forced_, phase_));
+    const StepPlan before =
+        std::exchange(plan_, planOf(now, *garment_, awake(), body_.get(), carriedAlong(), std::move(pairs), tacks_,
+                                    grips_, state_.positions, forced_, phase_));
     const auto* touched = bodyContactIn(before);
     auto* touches = bodyContactIn(plan_);
     if (touches && touched && plannedFor_ == garment_.get()) touches->goOnFrom(*touched, state_.positions);
     plannedFor_ = garment_.get();
     followBody();
     safe_.reset();
+    leaveOutSleepers();
     if (!scene_.paper) planSubsteps(); // with coarse levels cloth is damped otherwise
     plannedDamping_ = damping();
     if (scene_.paper) {
         integrator_ = integratorOf(dynamics::Method::subcycledEuler);
         return;
     }
-    xpbd_ = std::make_unique<dynamics::Xpbd>(garment_->model, settingsOfXpbd());
+    xpbd_ = std::make_unique<dynamics::Xpbd>(awake().model, settingsOfXpbd());
     xpbd_->workWith(teamOfStep());
     integrator_.reset();
     calmingFrames_ = 0;
@@ -243,7 +251,7 @@ void Simulation::correctByDueLevels() {
 }
 
 std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method method) const {
-    return dynamics::makeIntegrator(method, garment_->model,
+    return dynamics::makeIntegrator(method, awake().model,
                                     {.damping = plannedDamping_,
                                      .factorBytes = factorBytesOf(scene_, *garment_->mesh),
                                      .positionTolerance = positionTolerance});
@@ -280,6 +288,7 @@ void Simulation::hold(std::vector<Grip> grips) {
     restingTime_ = stillTime_ = 0;
     if (std::ranges::equal(*grips_, grips, &Grip::samePlace)) {
         *grips_ = std::move(grips);
+        if (holdsSleepers()) rebuildPlan();
         return;
     }
     grips_ = std::make_shared<std::vector<Grip>>(std::move(grips)); // the plan that stands reads the others
@@ -344,6 +353,7 @@ Result<void> Simulation::advance(std::stop_token stop) {
     goOnDressing(*merged || closed);
     noteRest(speeds, duration);
     if (motion_) noteBody();
+    noteSleepers(before.positions, duration);
     stepSeconds_ = secondsSince(start);
     allSeconds_ += stepSeconds_;
     ++computedSteps_;

@@ -21,6 +21,7 @@
 #include "core/simulation/LevelsOf.h"
 #include "core/simulation/Scene.h"
 #include "core/simulation/SceneParts.h"
+#include "core/simulation/Sleepers.h"
 #include "core/simulation/StepPlan.h"
 #include "core/simulation/Tacks.h"
 
@@ -185,9 +186,11 @@ public:
     [[nodiscard]] double sleptTime() const { return sleptTime_; }
     /// Wall time of the frame steps that were not computed for it, if each had taken as long as the others in the mean
     /// [s].
-    [[nodiscard]] double savedBySleep() const {
-        return computedSteps_ > 0 ? sleptSteps_ * allSeconds_ / computedSteps_ : 0;
-    }
+    [[nodiscard]] double savedBySleep() const { return sleptSteps_ * meanStepSeconds(); }
+    /// Frame steps that were made without pieces that slept while others moved, and their wall time, as above; a step
+    /// counts by the part of the particles that it was made without.
+    [[nodiscard]] double stepsSleptApart() const { return sleptApart_; }
+    [[nodiscard]] double savedBySleepApart() const { return sleptApart_ * meanStepSeconds(); }
 
     /// What a factor would have taken that did not fit in memory, so that conjugate gradients went on alone [B]; 0 =
     /// all did.
@@ -200,7 +203,16 @@ public:
 private:
     Simulation(Scene scene, SceneParts parts, MeshOverrides overrides);
 
-    void rebuildPlan();
+    void rebuildPlan(); ///< all are awake
+    void planAnew();
+    [[nodiscard]] std::unique_ptr<const Garment> awakeNow() const;
+    [[nodiscard]] const Garment& awake() const { return awake_ ? *awake_ : *garment_; }
+    void noteSleepers(std::span<const Vec3> before, double duration);
+    [[nodiscard]] bool holdsSleepers() const; ///< a hand does
+    void leaveOutSleepers();
+    [[nodiscard]] double meanStepSeconds() const {
+        return computedSteps_ > 0 ? allSeconds_ / (computedSteps_ - sleptApart_) : 0;
+    }
     void pinToBody();
     [[nodiscard]] std::unique_ptr<BodyPins> carriedAlong() const;
     void followBody();
@@ -251,6 +263,8 @@ private:
 
     Scene scene_;
     std::unique_ptr<const Garment> garment_; ///< the integrator keeps a reference to its model
+    std::unique_ptr<Sleepers> sleepers_;     ///< of this garment; null before it drapes
+    std::unique_ptr<const Garment> awake_;   ///< what of it the plan moves; null = all
     std::shared_ptr<const collision::BodySurface> body_;
     std::shared_ptr<collision::MovingSurface> motion_; ///< of a body that moves; then the surface is its
     std::vector<BodyPin> bodyPins_;                    ///< of a body that moves
@@ -294,6 +308,7 @@ private:
     double largestSpeed_ = 0, restingTime_ = 0;
     double stillTime_ = 0, sleptTime_ = 0;         ///< since when nothing moves; how long nothing was computed [s]
     int sleptSteps_ = 0, computedSteps_ = 0;       ///< frame steps
+    double sleptApart_ = 0;                        ///< of those that were computed
     double stepSeconds_ = 0, allSeconds_ = 0;      ///< wall time of the last frame step that was computed, of all
     std::vector<StepPlan::StageCost> formerCosts_; ///< of plans that were replaced
 };

@@ -121,6 +121,7 @@ Result<bool> Simulation::mergeReadySeams() {
     if (!sewn) return tl::unexpected(sewn.error());
     state_ = merged(state_, *garment_, *sewn);
     garment_ = std::make_unique<const Garment>(std::move(*sewn));
+    sleepers_.reset();
     levels_.reset();
     whyNoLevels_.clear();
     takesOneMore_ = true;

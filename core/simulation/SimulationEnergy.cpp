@@ -5,13 +5,8 @@
 
 #include <algorithm>
 
-/// Cloth that nothing drives: it gains no energy, and once it is still it sleeps.
+/// Cloth that nothing drives gains no energy.
 namespace toile::simulation {
-namespace {
-
-constexpr double beforeSleep = 1; ///< [s]
-
-} // namespace
 
 void Simulation::planEnergyWatch() {
     energyWatch_.reset();
@@ -25,8 +20,8 @@ void Simulation::planEnergyWatch() {
         return leaveOut("the air does work");
     if (drapingMethod_ == dynamics::Method::trBdf2) return leaveOut("its parts are as short as their error asks for");
     if (drapingMethod_ == dynamics::Method::xpbd)
-        energyWatch_ = std::make_unique<dynamics::EnergyWatch>(garment_->model, gravity());
-    else totalEnergyWatch_ = std::make_unique<dynamics::TotalEnergyWatch>(garment_->model, gravity());
+        energyWatch_ = std::make_unique<dynamics::EnergyWatch>(awake().model, gravity());
+    else totalEnergyWatch_ = std::make_unique<dynamics::TotalEnergyWatch>(awake().model, gravity());
 }
 
 /// A step that gained energy is made again in twice as many substeps and without coarse levels, and once more in twice
@@ -70,22 +65,6 @@ Result<dynamics::StepReport> Simulation::moveByForces(double duration, std::stop
     if (!done) return tl::unexpected(done.error());
     runOfStep().redoneSteps += done->redone;
     return done->step;
-}
-
-/// What determines its steps is as it was, so it would go on lying there.
-bool Simulation::isAsleep() const {
-    return stillTime_ >= beforeSleep;
-}
-
-void Simulation::sleepFor(double duration) {
-    state_.time += duration;
-    sleptTime_ += duration;
-    ++sleptSteps_;
-    restingTime_ += duration;
-    largestSpeed_ = 0;
-    ++steps_;
-    note(duration, {.parts = 0});
-    goOnDressing(false);
 }
 
 } // namespace toile::simulation

@@ -37,6 +37,7 @@ Result<dynamics::StaticReport> Simulation::settle(const dynamics::StaticSettings
     if (motion_) return fail(ErrorCode::invalidInput, "Beside a body that moves there is no equilibrium.");
     const dynamics::ParticleState before = state_;
     stillTime_ = 0;
+    if (awake_) rebuildPlan();
     const StepPlan::OffTheClock offTheClock(plan_); // stageCosts() are of frame steps
     if (const auto taut = settings.maximumIterations > 0 ? drawTaut(stop) : Result<void>(); !taut) {
         state_ = before;

@@ -109,6 +109,7 @@ void tst_Refine::whatTheCoarseRunTookIsCounted() {
                            .simulatedSeconds = 3,
                            .heldSeconds = 2,
                            .sleptSeconds = 1,
+                           .sleptApartSteps = 8,
                            .cpuSeconds = 4,
                            .wallSeconds = 3,
                            .ending = "at rest"};
@@ -118,6 +119,7 @@ void tst_Refine::whatTheCoarseRunTookIsCounted() {
     QCOMPARE(report.restWallSeconds, 3.5);
     QCOMPARE(report.heldSeconds, 2.0);
     QCOMPARE(report.sleptSeconds, 1.0);
+    QCOMPARE(report.sleptApartSteps, 8.0);
     QCOMPARE(report.simulatedSeconds, 5.0);
     QCOMPARE(report.coarse->particles, 7);
 }

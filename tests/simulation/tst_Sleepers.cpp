@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Sleepers.h"
+#include "tests/Suite.h"
+#include "tests/simulation/Garments.h"
+#include "tests/simulation/Sewn.h"
+#include "tests/simulation/SmallScenes.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace toile;
+using namespace toile::simulation;
+
+namespace {
+
+constexpr double frameStep = 1.0 / 60; // [s]
+
+pattern::Piece squareAt(const char* name, double x) {
+    pattern::Piece piece = polygonPiece(name, {{0, 0}, {0.3, 0}, {0.3, 0.3}, {0, 0.3}}, 0.03);
+    piece.placement = sheetOnTable().pattern.pieces[0]->placement;
+    piece.placement->transform.origin.x += x;
+    return piece;
+}
+
+/// Two sheets: one on the table, and "flag" that far beside it.
+Scene twoSheets(double away = 1.5) {
+    Scene scene = sheetOnTable();
+    scene.pattern.pieces.push_back(squareAt("flag", away));
+    return scene;
+}
+
+/// A hand that leads the flag's middle round and round.
+Grip leading(int step, double away = 1.5) {
+    const double angle = 0.02 * step;
+    return {.piece = "flag",
+            .material = {0.15, 0.15},
+            .target = {away + 0.05 * std::sin(angle), 0.6, 0.05 * std::cos(angle)}};
+}
+
+void lead(Simulation& simulation, int& step, int steps) {
+    for (const int end = step + steps; step < end; ++step) {
+        simulation.hold({leading(step)});
+        run(simulation, 1);
+    }
+}
+
+std::vector<Vec3> nodesOf(const Simulation& simulation, std::size_t piece) {
+    const std::vector<Vec3> nodes = simulation.nodePositions();
+    const auto first = nodes.begin() + simulation.garment().particles.firstNode[piece];
+    return {first, first + std::ssize(simulation.garment().mesh->pieces[piece].nodes)};
+}
+
+bool sheetSleeps(const Simulation& simulation) {
+    return std::ranges::any_of(simulation.plan().leftOut(), [](const LeftOut& left) {
+        return left.stage == "pieces" && left.why == "they lie still: sheet";
+    });
+}
+
+/// Leads the flag until the sheet sleeps; the steps that were made.
+int leadUntilSheetSleeps(Simulation& simulation) {
+    constexpr int most = 900;
+    int step = 0;
+    while (step < most && !sheetSleeps(simulation)) lead(simulation, step, 1);
+    if (step == most) qFatal("the sheet does not sleep");
+    return step;
+}
+
+/// Two squares that are sewn together, and a third that is not: its particles are moved by hand.
+struct ThreeSquares {
+    Garment garment = [] {
+        pattern::Pattern pattern = twoSquares(0.05).pattern;
+        pattern.pieces.push_back(squareAt("third", 0));
+        return garmentOf(pattern);
+    }();
+    Sleepers sleepers{garment, {}};
+    std::vector<Vec3> positions = std::vector<Vec3>(garment.particles.particleCount);
+
+    /// The first particle of a piece moves for so many frames [0.1 m/s]; what others sleep is said after each.
+    int changes(int piece, int frames, std::optional<double> reach = {}) {
+        int changed = 0;
+        for (int i = 0; i < frames; ++i) {
+            std::vector<Vec3> next = positions;
+            if (piece >= 0) next[garment.particles.particleOf[garment.particles.firstNode[piece]]].x += 0.1 * frameStep;
+            changed += sleepers.note(garment, positions, next, frameStep, reach);
+            positions = std::move(next);
+        }
+        return changed;
+    }
+};
+
+} // namespace
+
+/// Pieces that lie still while others move.
+class tst_Sleepers : public QObject {
+    Q_OBJECT
+private slots:
+    void afterASecondOneSleepsWhileAnotherMoves();
+    void whatIsSewnTogetherSleepsTogether();
+    void whatIsTackedTogetherSleepsTogether();
+    void whereAllLieStillNoneSleepsAlone();
+    void whoIsNearOneThatMovesStaysAwake();
+    void whatSleepsHasNoElements();
+    void whatSleepsStaysAndOthersMoveAsIfItWereNotThere();
+    void aHandWakesIt();
+    void staticsWakeIt();
+    void whatComesNearWakesIt();
+    void aGarmentHasNoSleepers();
+};
+
+void tst_Sleepers::afterASecondOneSleepsWhileAnotherMoves() {
+    ThreeSquares squares;
+    QCOMPARE(squares.changes(0, 59), 0);
+    QCOMPARE(squares.changes(0, 5), 1);
+    QCOMPARE(squares.sleepers.pieces(), std::vector<int>{2});
+    QVERIFY(squares.sleepers.isAsleep(2) && !squares.sleepers.isAsleep(0));
+    QVERIFY(std::abs(squares.sleepers.share() - 121.0 / (121 + 2 * squares.garment.mesh->pieces[0].nodes.size())) <
+            1e-12);
+    QCOMPARE(squares.changes(0, 100), 0);
+    squares.sleepers.wake();
+    QVERIFY(squares.sleepers.pieces().empty());
+    QCOMPARE(squares.changes(0, 59), 0); // a second begins anew
+}
+
+void tst_Sleepers::whatIsSewnTogetherSleepsTogether() {
+    ThreeSquares squares;
+    QCOMPARE(squares.changes(2, 70), 1);
+    QCOMPARE(squares.sleepers.pieces(), (std::vector<int>{0, 1}));
+}
+
+void tst_Sleepers::whatIsTackedTogetherSleepsTogether() {
+    const ThreeSquares squares;
+    const std::vector<TackState> tacks{{.ends = {MeshPoint{.piece = 1}, MeshPoint{.piece = 2}}}};
+    Sleepers tacked(squares.garment, tacks);
+    std::vector<Vec3> next = squares.positions;
+    for (int i = 0; i < 100; ++i) {
+        next.front().x += 1;
+        QVERIFY(!tacked.note(squares.garment, squares.positions, next, frameStep, {}));
+    }
+}
+
+void tst_Sleepers::whereAllLieStillNoneSleepsAlone() {
+    ThreeSquares squares;
+    QCOMPARE(squares.changes(-1, 100), 0);
+    QVERIFY(squares.sleepers.pieces().empty());
+}
+
+void tst_Sleepers::whoIsNearOneThatMovesStaysAwake() {
+    ThreeSquares squares;
+    for (Vec3& position : squares.positions) position = {};
+    const auto third = [&](double x) {
+        for (int k = squares.garment.particles.firstNode[2]; k < std::ssize(squares.positions); ++k)
+            squares.positions[k].x = x;
+    };
+    third(-0.019);
+    QCOMPARE(squares.changes(0, 100, 0.02), 0);
+    third(-0.021);
+    QCOMPARE(squares.changes(0, 1, 0.02), 1);
+    QCOMPARE(squares.sleepers.pieces(), std::vector<int>{2});
+    third(-0.019);
+    QCOMPARE(squares.changes(0, 1, 0.02), 1);
+    QVERIFY(squares.sleepers.pieces().empty());
+    third(-0.021);
+    QCOMPARE(squares.changes(0, 50, 0.02), 0); // it was woken: a second begins anew
+}
+
+void tst_Sleepers::whatSleepsHasNoElements() {
+    ThreeSquares squares;
+    squares.changes(2, 70);
+    const cloth::ClothModel& all = squares.garment.model;
+    const Garment awake = squares.sleepers.awakeOf(squares.garment);
+    pattern::Pattern alone;
+    alone.fabrics.push_back(plainCloth());
+    alone.pieces.push_back(squareAt("third", 0));
+    const cloth::ClothModel third = garmentOf(alone).model;
+    QCOMPARE(awake.model.structural.size(), third.structural.size());
+    QCOMPARE(awake.model.shear.size(), third.shear.size());
+    QCOMPARE(awake.model.bending.size(), third.bending.size());
+    QCOMPARE(awake.model.triangles.size(), third.triangles.size());
+    QVERIFY(all.structural.size() > third.structural.size());
+    QCOMPARE(awake.model.particleCount(), all.particleCount());
+    QCOMPARE(std::ssize(awake.model.pinned), std::ssize(all.mass) - std::ssize(third.mass));
+}
+
+/// The flag hangs by a corner and swings.
+void tst_Sleepers::whatSleepsStaysAndOthersMoveAsIfItWereNotThere() {
+    Scene scene = twoSheets(), flag = scene;
+    flag.pattern.pieces.erase(flag.pattern.pieces.begin());
+    for (Scene* some : {&scene, &flag})
+        some->pattern.pins.push_back({pattern::PinId("n"), pattern::PieceId("flag"), pattern::VertexId("v0")});
+    Simulation both = simulationOf(scene), alone = simulationOf(flag);
+    int steps = 0;
+    for (; steps < 600 && !sheetSleeps(both); ++steps) run(both, 1);
+    QVERIFY2(steps > 60 && steps < 600, qPrintable(QString::number(steps)));
+    QCOMPARE(both.stepsSleptApart(), 0.0);
+    const std::vector<Vec3> there = nodesOf(both, 0);
+    run(both, 120);
+    QVERIFY(both.largestSpeed() > 0.01);
+    QCOMPARE(nodesOf(both, 0), there);
+    QVERIFY(std::abs(both.stepsSleptApart() - 60) < 1e-9); // of 120, without half of the particles
+    QVERIFY(both.savedBySleepApart() > 0);
+    QCOMPARE(both.sleptTime(), 0.0);
+    run(alone, steps + 120);
+    QCOMPARE(nodesOf(both, 1), nodesOf(alone, 0));
+}
+
+/// Another hand holds the sheet by a corner, where it lies; then it lifts it.
+void tst_Sleepers::aHandWakesIt() {
+    Simulation simulation = simulationOf(twoSheets());
+    run(simulation, 120);
+    const Vec3 there = nodesOf(simulation, 0).front();
+    Grip corner{.piece = "sheet", .material = {0, 0}, .target = there};
+    int step = 0;
+    for (; step < 900 && !sheetSleeps(simulation); ++step) {
+        simulation.hold({leading(step), corner});
+        run(simulation, 1);
+    }
+    QVERIFY(sheetSleeps(simulation));
+    corner.target.y += 0.1;
+    simulation.hold({leading(step), corner});
+    QVERIFY(!sheetSleeps(simulation));
+    run(simulation, 30);
+    QVERIFY(geometry::distance(nodesOf(simulation, 0).front(), there) > 0.01);
+}
+
+void tst_Sleepers::staticsWakeIt() {
+    Simulation simulation = simulationOf(twoSheets());
+    (void)leadUntilSheetSleeps(simulation);
+    QVERIFY(simulation.settle({.maximumIterations = 0}));
+    QVERIFY(!sheetSleeps(simulation));
+}
+
+/// The flag is led towards the sheet and over it.
+void tst_Sleepers::whatComesNearWakesIt() {
+    Scene scene = twoSheets();
+    scene.settings.selfContact = true;
+    Simulation simulation = simulationOf(scene);
+    int step = leadUntilSheetSleeps(simulation);
+    const auto gap = [&] {
+        return std::ranges::min(nodesOf(simulation, 1), {}, &Vec3::x).x -
+               std::ranges::max(nodesOf(simulation, 0), {}, &Vec3::x).x;
+    };
+    QVERIFY(gap() > 0.02);
+    for (int i = 0; i < 300 && gap() > 0.02; ++i) {
+        QVERIFY(sheetSleeps(simulation));
+        simulation.hold({leading(step, 1.5 - 0.01 * i)});
+        run(simulation, 1);
+    }
+    QVERIFY(gap() <= 0.02);
+    QVERIFY(!sheetSleeps(simulation));
+}
+
+void tst_Sleepers::aGarmentHasNoSleepers() {
+    const Scene scene = twoSquares(0.05);
+    const SewReport report = sewn(scene, {.seconds = 8});
+    QVERIFY(report.allClosed());
+    QCOMPARE(report.sleptApartSteps, 0.0);
+    QVERIFY(std::ranges::none_of(report.leftOut, [](const LeftOut& left) { return left.stage == "pieces"; }));
+}
+
+TOILE_TEST(tst_Sleepers)
+#include "tst_Sleepers.moc"
