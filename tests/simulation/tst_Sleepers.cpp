@@ -103,6 +103,7 @@ private slots:
     void whatSleepsStaysAndOthersMoveAsIfItWereNotThere();
     void aHandWakesIt();
     void staticsWakeIt();
+    void aCheckpointGoesOnToTheSameBits();
     void whatComesNearWakesIt();
     void aGarmentHasNoSleepers();
 };
@@ -227,6 +228,24 @@ void tst_Sleepers::staticsWakeIt() {
     (void)leadUntilSheetSleeps(simulation);
     QVERIFY(simulation.settle({.maximumIterations = 0}));
     QVERIFY(!sheetSleeps(simulation));
+}
+
+/// All are awake after it, in what goes on as in what is resumed.
+void tst_Sleepers::aCheckpointGoesOnToTheSameBits() {
+    const Scene scene = twoSheets();
+    Simulation simulation = simulationOf(scene);
+    int step = leadUntilSheetSleeps(simulation), resumedStep = step;
+    const Checkpoint point = simulation.checkpoint();
+    QVERIFY(!sheetSleeps(simulation));
+    auto resumed = Simulation::resumed(scene, {}, point);
+    QVERIFY(resumed);
+    resumed->hold({leading(step - 1)}); // as the hand was
+    simulation.hold({});
+    simulation.hold({leading(step - 1)});
+    lead(simulation, step, 120);
+    lead(*resumed, resumedStep, 120);
+    QVERIFY(sheetSleeps(simulation) && sheetSleeps(*resumed));
+    QCOMPARE(resumed->state().positions, simulation.state().positions);
 }
 
 /// The flag is led towards the sheet and over it.
