@@ -63,6 +63,7 @@ private slots:
     void slidingOverABodyKeepsItsDistance();
     void aSampleBetweenParticlesIsHeldOut();
     void aPinnedParticleIsNotMoved();
+    void whatIsKnownToBePinnedIsNotLookedAt();
     void aSampleOfASlaveMovesItsMasters();
     void theReportNamesTheDeepestPoint();
 };
@@ -263,6 +264,22 @@ void tst_BodyContact::aPinnedParticleIsNotMoved() {
     world.run(contact, 0.1);
     QCOMPARE(world.positions[0], (Vec3{0, -0.01, 0}));
     QCOMPARE(contact.report(world.positions).largestPenetration, 0.01); // and the depth is told
+}
+
+/// Where it is looked at, far from the body, what pressed it begins to be forgotten.
+void tst_BodyContact::whatIsKnownToBePinnedIsNotLookedAt() {
+    const auto body = surfaceOf(shapes::box({-1, -1, -1}, {1, 0, 1}));
+    const ContactSample between{{{0, 0.5}, {1, 0.5}}, 0.0002, 0.3, 2e-5}, half{{{0, 0.5}, {2, 0.5}}, 0.0002, 0.3, 2e-5};
+    const std::vector<ContactSample> samples{sampleAt(0, 0.3), sampleAt(1, 0.3), sampleAt(2, 0.3), between, half};
+    using Kept = std::vector<bool>;
+    for (const auto& [pinned, kept] : {std::pair{std::vector<int>{}, Kept{false, false, false, false, false}},
+                                       std::pair{std::vector{0, 1}, Kept{true, true, false, true, false}}}) {
+        BodyContact contact(body, samples, {}, pinned);
+        QVERIFY(contact.recall({.forces = {1, 1, 1, 1, 1}, .takenBack = {0, 0, 0, 0, 0}}));
+        World world({{0, 0.5, 0}, {0.1, 0.5, 0}, {0.2, 0.5, 0}});
+        world.substep(contact, h);
+        for (std::size_t s = 0; s < kept.size(); ++s) QCOMPARE(contact.memory().forces[s] == 1, bool(kept[s]));
+    }
 }
 
 void tst_BodyContact::aSampleOfASlaveMovesItsMasters() {

@@ -19,6 +19,14 @@ inline void run(Simulation& simulation, int frames) {
         if (const auto done = simulation.advance(); !done) qFatal("%s", toString(done.error()).c_str());
 }
 
+/// Where the nodes of a piece are [m].
+inline std::vector<Vec3> nodesOf(const Simulation& simulation, std::size_t piece) {
+    const Garment& garment = simulation.garment();
+    const std::vector<Vec3> nodes = simulation.nodePositions();
+    const auto first = nodes.begin() + garment.particles.firstNode[piece];
+    return {first, first + std::ssize(garment.mesh->pieces[piece].nodes)};
+}
+
 inline SewReport sewn(Simulation& simulation, const SewSettings& settings = {}) {
     auto report = sew(simulation, settings);
     if (!report) qFatal("%s", toString(report.error()).c_str());

@@ -23,13 +23,6 @@ Scene frozen(Scene scene, const pattern::PieceId& piece, bool on = true) {
     return scene;
 }
 
-std::vector<Vec3> nodesOf(const Simulation& simulation, std::size_t piece) {
-    const Garment& garment = simulation.garment();
-    const std::vector<Vec3> nodes = simulation.nodePositions();
-    const auto first = nodes.begin() + garment.particles.firstNode[piece];
-    return {first, first + std::ssize(garment.mesh->pieces[piece].nodes)};
-}
-
 double largestDistance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     double largest = 0;
     for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, geometry::distance(a[i], b[i]));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/material/FabricPresets.h"
 #include "core/simulation/Sleepers.h"
 #include "tests/Suite.h"
 #include "tests/simulation/Garments.h"
@@ -29,6 +30,13 @@ Scene twoSheets(double away = 1.5) {
     return scene;
 }
 
+/// The flag hangs by a corner.
+Scene sheetAndSwingingFlag() {
+    Scene scene = twoSheets();
+    scene.pattern.pins.push_back({pattern::PinId("n"), pattern::PieceId("flag"), pattern::VertexId("v0")});
+    return scene;
+}
+
 /// A hand that leads the flag's middle round and round.
 Grip leading(int step, double away = 1.5) {
     const double angle = 0.02 * step;
@@ -44,16 +52,14 @@ void lead(Simulation& simulation, int& step, int steps) {
     }
 }
 
-std::vector<Vec3> nodesOf(const Simulation& simulation, std::size_t piece) {
-    const std::vector<Vec3> nodes = simulation.nodePositions();
-    const auto first = nodes.begin() + simulation.garment().particles.firstNode[piece];
-    return {first, first + std::ssize(simulation.garment().mesh->pieces[piece].nodes)};
-}
-
 bool sheetSleeps(const Simulation& simulation) {
     return std::ranges::any_of(simulation.plan().leftOut(), [](const LeftOut& left) {
         return left.stage == "pieces" && left.why == "they lie still: sheet";
     });
+}
+
+bool isOfPieces(const LeftOut& left) {
+    return left.stage == "pieces" || left.stage == "frame steps of pieces";
 }
 
 /// Leads the flag until the sheet sleeps; the steps that were made.
@@ -65,13 +71,18 @@ int leadUntilSheetSleeps(Simulation& simulation) {
     return step;
 }
 
-/// Two squares that are sewn together, and a third that is not: its particles are moved by hand.
-struct ThreeSquares {
-    Garment garment = [] {
-        pattern::Pattern pattern = twoSquares(0.05).pattern;
-        pattern.pieces.push_back(squareAt("third", 0));
-        return garmentOf(pattern);
-    }();
+/// Two squares that are sewn together, and a third that is not.
+pattern::Pattern threeSquares() {
+    pattern::Pattern pattern = twoSquares(0.05).pattern;
+    pattern.pieces.push_back(squareAt("third", 0));
+    return pattern;
+}
+
+/// Pieces whose particles are moved one by one.
+struct Pieces {
+    explicit Pieces(const pattern::Pattern& pattern = threeSquares()) : garment(garmentOf(pattern)) {}
+
+    Garment garment;
     Sleepers sleepers{garment, {}};
     std::vector<Vec3> positions = std::vector<Vec3>(garment.particles.particleCount);
 
@@ -105,11 +116,12 @@ private slots:
     void staticsWakeIt();
     void aCheckpointGoesOnToTheSameBits();
     void whatComesNearWakesIt();
+    void theReportTellsOfIt();
     void aGarmentHasNoSleepers();
 };
 
 void tst_Sleepers::afterASecondOneSleepsWhileAnotherMoves() {
-    ThreeSquares squares;
+    Pieces squares;
     QCOMPARE(squares.changes(0, 59), 0);
     QCOMPARE(squares.changes(0, 5), 1);
     QCOMPARE(squares.sleepers.pieces(), std::vector<int>{2});
@@ -123,13 +135,13 @@ void tst_Sleepers::afterASecondOneSleepsWhileAnotherMoves() {
 }
 
 void tst_Sleepers::whatIsSewnTogetherSleepsTogether() {
-    ThreeSquares squares;
+    Pieces squares;
     QCOMPARE(squares.changes(2, 70), 1);
     QCOMPARE(squares.sleepers.pieces(), (std::vector<int>{0, 1}));
 }
 
 void tst_Sleepers::whatIsTackedTogetherSleepsTogether() {
-    const ThreeSquares squares;
+    const Pieces squares;
     const std::vector<TackState> tacks{{.ends = {MeshPoint{.piece = 1}, MeshPoint{.piece = 2}}}};
     Sleepers tacked(squares.garment, tacks);
     std::vector<Vec3> next = squares.positions;
@@ -140,13 +152,13 @@ void tst_Sleepers::whatIsTackedTogetherSleepsTogether() {
 }
 
 void tst_Sleepers::whereAllLieStillNoneSleepsAlone() {
-    ThreeSquares squares;
+    Pieces squares;
     QCOMPARE(squares.changes(-1, 100), 0);
     QVERIFY(squares.sleepers.pieces().empty());
 }
 
 void tst_Sleepers::whoIsNearOneThatMovesStaysAwake() {
-    ThreeSquares squares;
+    Pieces squares;
     for (Vec3& position : squares.positions) position = {};
     const auto third = [&](double x) {
         for (int k = squares.garment.particles.firstNode[2]; k < std::ssize(squares.positions); ++k)
@@ -164,30 +176,36 @@ void tst_Sleepers::whoIsNearOneThatMovesStaysAwake() {
     QCOMPARE(squares.changes(0, 50, 0.02), 0); // it was woken: a second begins anew
 }
 
+/// A woven piece with triangles at its border and a knit one lie still, a woven square moves.
 void tst_Sleepers::whatSleepsHasNoElements() {
-    ThreeSquares squares;
-    squares.changes(2, 70);
-    const cloth::ClothModel& all = squares.garment.model;
-    const Garment awake = squares.sleepers.awakeOf(squares.garment);
-    pattern::Pattern alone;
-    alone.fabrics.push_back(plainCloth());
-    alone.pieces.push_back(squareAt("third", 0));
-    const cloth::ClothModel third = garmentOf(alone).model;
-    QCOMPARE(awake.model.structural.size(), third.structural.size());
-    QCOMPARE(awake.model.shear.size(), third.shear.size());
-    QCOMPARE(awake.model.bending.size(), third.bending.size());
-    QCOMPARE(awake.model.triangles.size(), third.triangles.size());
-    QVERIFY(all.structural.size() > third.structural.size());
-    QCOMPARE(awake.model.particleCount(), all.particleCount());
-    QCOMPARE(std::ssize(awake.model.pinned), std::ssize(all.mass) - std::ssize(third.mass));
+    pattern::Pattern pattern;
+    pattern.fabrics = {Shared(plainCloth()), Shared(material::jersey())};
+    pattern.pieces.push_back(squareAt("moves", 0));
+    const cloth::ClothModel alone = garmentOf(pattern).model;
+    pattern.pieces.push_back(polygonPiece("slanted", {{0, 0}, {0.3, 0}, {0.2, 0.3}, {0, 0.3}}, 0.03));
+    pattern::Piece knit = squareAt("knit", 1);
+    knit.fabric = pattern.fabrics.back()->id;
+    pattern.pieces.push_back(std::move(knit));
+    Pieces pieces(pattern);
+    QCOMPARE(pieces.changes(0, 70), 1);
+    QCOMPARE(pieces.sleepers.pieces(), (std::vector<int>{1, 2}));
+    const cloth::ClothModel& all = pieces.garment.model;
+    const cloth::ClothModel awake = pieces.sleepers.awakeOf(pieces.garment).model;
+    const auto isOfTheFirst = [&](auto elements) {
+        return !(all.*elements).empty() && (all.*elements).size() > (alone.*elements).size() &&
+               (awake.*elements).size() == (alone.*elements).size();
+    };
+    QVERIFY(isOfTheFirst(&cloth::ClothModel::structural) && isOfTheFirst(&cloth::ClothModel::shear));
+    QVERIFY(isOfTheFirst(&cloth::ClothModel::bending));
+    QVERIFY(isOfTheFirst(&cloth::ClothModel::triangles) && isOfTheFirst(&cloth::ClothModel::cells));
+    QCOMPARE(awake.particleCount(), all.particleCount());
+    QCOMPARE(std::ssize(awake.pinned), std::ssize(all.mass) - std::ssize(alone.mass));
 }
 
-/// The flag hangs by a corner and swings.
 void tst_Sleepers::whatSleepsStaysAndOthersMoveAsIfItWereNotThere() {
-    Scene scene = twoSheets(), flag = scene;
+    const Scene scene = sheetAndSwingingFlag();
+    Scene flag = scene;
     flag.pattern.pieces.erase(flag.pattern.pieces.begin());
-    for (Scene* some : {&scene, &flag})
-        some->pattern.pins.push_back({pattern::PinId("n"), pattern::PieceId("flag"), pattern::VertexId("v0")});
     Simulation both = simulationOf(scene), alone = simulationOf(flag);
     int steps = 0;
     for (; steps < 600 && !sheetSleeps(both); ++steps) run(both, 1);
@@ -268,12 +286,20 @@ void tst_Sleepers::whatComesNearWakesIt() {
     QVERIFY(!sheetSleeps(simulation));
 }
 
+void tst_Sleepers::theReportTellsOfIt() {
+    const SewReport report = sewn(sheetAndSwingingFlag(), {.seconds = 4});
+    QVERIFY(report.sleptApartSteps > 0 && report.sleptApartSavedSeconds > 0);
+    QCOMPARE(std::ranges::count_if(report.leftOut, isOfPieces), 2);
+    QCOMPARE(report.leftOut.back().stage, std::string("frame steps of pieces"));
+    QCOMPARE(report.leftOut.back().saved, report.sleptApartSavedSeconds);
+}
+
 void tst_Sleepers::aGarmentHasNoSleepers() {
     const Scene scene = twoSquares(0.05);
     const SewReport report = sewn(scene, {.seconds = 8});
     QVERIFY(report.allClosed());
     QCOMPARE(report.sleptApartSteps, 0.0);
-    QVERIFY(std::ranges::none_of(report.leftOut, [](const LeftOut& left) { return left.stage == "pieces"; }));
+    QVERIFY(std::ranges::none_of(report.leftOut, isOfPieces));
 }
 
 TOILE_TEST(tst_Sleepers)
