@@ -50,4 +50,15 @@ ParticleMap particleMap(const meshing::GarmentMesh& mesh, const std::vector<bool
     return map;
 }
 
+std::vector<Vec3> particlePositions(const ParticleMap& map, std::span<const Vec3> nodes) {
+    std::vector<Vec3> sum(map.particleCount);
+    std::vector<int> count(map.particleCount, 0);
+    for (std::size_t node = 0; node < nodes.size(); ++node) {
+        sum[map.particleOf[node]] += nodes[node];
+        ++count[map.particleOf[node]];
+    }
+    for (int particle = 0; particle < map.particleCount; ++particle) sum[particle] = sum[particle] / count[particle];
+    return sum;
+}
+
 } // namespace toile::simulation

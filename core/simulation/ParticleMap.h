@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/Vec.h"
 #include "core/meshing/GarmentMesh.h"
 
+#include <span>
 #include <vector>
 
 namespace toile::simulation {
@@ -20,5 +22,8 @@ struct ParticleMap {
 
 /// One particle per node, but for the seams that are merged. Particles are numbered in the order of their first node.
 [[nodiscard]] ParticleMap particleMap(const meshing::GarmentMesh& mesh, const std::vector<bool>& mergedSeams);
+
+/// Where particles are; nodes of one particle are taken at their mean.
+[[nodiscard]] std::vector<Vec3> particlePositions(const ParticleMap& map, std::span<const Vec3> nodes);
 
 } // namespace toile::simulation

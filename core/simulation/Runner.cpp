@@ -165,9 +165,10 @@ private:
             if (auto motion = motions_.take()) take(std::move(*motion));
             if (pushed_.exchange(false) && stands()) playUntil_ = simulation_->state().time + atLeast;
             if (mayStep) {
-                if (advance(cutsSeen)) --steps_;
+                if (stands() && simulation_->fallsUnseen()) simulation_->lieAsSeen(); // who steps wants to see
+                if (advance(seen, cutsSeen)) --steps_;
             } else if (mayPlay && playing_ && stands() && !rests()) {
-                advance(cutsSeen);
+                advance(seen, cutsSeen);
             } else if (mayPlay && playing_ && mayFinish()) {
                 finish(seen);
             } else {
@@ -194,8 +195,9 @@ private:
         scene_ = std::move(order.scene);
         generation_ = order.generation;
         adopt(built([&] {
-            return simulation_ && simulation_->steps() > 0 ? Simulation::continued(scene_, *simulation_)
-                                                           : Simulation::create(scene_);
+            return simulation_ && simulation_->steps() > 0
+                       ? Simulation::continued(scene_, *simulation_, {}, GoesOn::asSewn)
+                       : Simulation::create(scene_);
         }));
     }
 
@@ -276,16 +278,24 @@ private:
 
     /// A frame step, unless one is cut off after so many cuts; edits that come faster than scenes can be built do not
     /// keep cloth from moving. Whether it is done with.
-    bool advance(std::uint64_t cutsSeen) {
+    bool advance(std::uint64_t seen, std::uint64_t cutsSeen) {
         if (!stands()) return true;
         const std::stop_token stop = fresh(stopStep_);
         if (cuts_ != cutsSeen) return false;
-        const auto advanced = simulation_->advance(stop);
         finish_ = Finish::none;
+        const auto unseen = simulation_->fallsUnseen() ? std::optional(simulation_->frame()) : std::nullopt;
+        const auto advanced = simulation_->advance(stop);
+        if (unseen && advanced && !simulation_->fallsUnseen()) showTheWay(*unseen, seen);
         const bool isCutOff = !advanced && advanced.error().code == ErrorCode::cancelled;
         if (advanced || isCutOff) publish({});
         else stopWith(toString(advanced.error()));
         return true;
+    }
+
+    /// How a garment that was seen so goes to where it lies now, unless something is ordered after `seen`.
+    void showTheWay(const Frame& before, std::uint64_t seen) {
+        const std::stop_token stop = fresh(stopFinish_);
+        if (signal_ == seen) glideFrom(before, Finish::none, stop);
     }
 
     /// The paper has no statics.
@@ -305,7 +315,7 @@ private:
         if (!settled && settled.error().code == ErrorCode::cancelled) return publish({});
         const bool found = settled && settled->newton.converged;
         finishMove_ = settled ? settled->displacementMaximum : 0;
-        glideFrom(rested, stop);
+        glideFrom(rested, Finish::underWay, stop);
         if (!found && ++attempts_ < finishAttempts) {
             playUntil_ = simulation_->state().time + atLeast;
             return;
@@ -322,17 +332,20 @@ private:
         return source.get_token();
     }
 
-    /// Pictures between where the garment rested and where it lies now.
-    void glideFrom(const Frame& rested, std::stop_token stop) {
-        const double duration = std::min(finishMove_ / glideSpeed, longestGlide);
-        const auto frames = static_cast<int>(duration / std::chrono::duration<double>(glideFrame).count());
+    /// Pictures between where the garment was seen last and where it lies now.
+    void glideFrom(const Frame& seen, Finish finish, std::stop_token stop) {
         const std::vector<Vec3> settled = simulation_->nodePositions();
+        double farthest = 0; // [m]
+        for (std::size_t v = 0; v < settled.size(); ++v)
+            farthest = std::max(farthest, geometry::distance(seen.positions[v], settled[v]));
+        const double duration = std::min(farthest / glideSpeed, longestGlide);
+        const auto frames = static_cast<int>(duration / std::chrono::duration<double>(glideFrame).count());
         for (int i = 1; i < frames && !stop.stop_requested(); ++i) {
-            Frame between = rested;
+            Frame between = seen;
             between.generation = generation_;
-            between.finish = Finish::underWay;
+            between.finish = finish;
             for (std::size_t v = 0; v < settled.size(); ++v)
-                between.positions[v] = lerp(rested.positions[v], settled[v], eased(static_cast<double>(i) / frames));
+                between.positions[v] = lerp(seen.positions[v], settled[v], eased(static_cast<double>(i) / frames));
             show(std::move(between));
             std::this_thread::sleep_for(glideFrame);
         }

@@ -4,7 +4,6 @@
 #include "core/base/WallTime.h"
 #include "core/simulation/AirOf.h"
 #include "core/simulation/BodyContactOf.h"
-#include "core/simulation/CarryOver.h"
 #include "core/simulation/LayersApart.h"
 #include "core/simulation/LevelsOf.h"
 #include "core/simulation/PlanOf.h"
@@ -27,36 +26,6 @@ constexpr double positionTolerance = 1e-4;
 constexpr int calming = 2;
 /// The least of a frame step while they do: in few substeps cloth is soft, and a hand stretches it like rubber.
 constexpr int handSubsteps = 40;
-/// By which the sides of a merged seam may part when they are carried over to another mesh: along a curve their chords
-/// rise, and corners of both sides that a coarse mesh sews to each other are a few millimetres apart [m].
-constexpr double partedSides = 0.005;
-
-/// So many times the nodes of the mesh before are more than what an edit adds.
-constexpr double finer = 1.5;
-
-/// Particles where nodes are; nodes of one particle are taken at their mean.
-std::vector<Vec3> particlePositions(const ParticleMap& map, const std::vector<Vec3>& nodes) {
-    std::vector<Vec3> sum(map.particleCount);
-    std::vector<int> count(map.particleCount, 0);
-    for (std::size_t node = 0; node < nodes.size(); ++node) {
-        sum[map.particleOf[node]] += nodes[node];
-        ++count[map.particleOf[node]];
-    }
-    for (int particle = 0; particle < map.particleCount; ++particle) sum[particle] = sum[particle] / count[particle];
-    return sum;
-}
-
-/// Which seams of a pattern are merged in a simulation of the pattern as it was before.
-std::vector<bool> mergedIn(const Simulation& before, const pattern::Pattern& pattern) {
-    const std::vector<pattern::Seam>& old = before.scene().pattern.seams;
-    std::vector<bool> merged;
-    for (const pattern::Seam& seam : pattern.seams) {
-        const auto found = std::ranges::find(old, seam.id, &pattern::Seam::id);
-        merged.push_back(found != old.end() && before.seams()[found - old.begin()].merged);
-    }
-    return merged;
-}
-
 void addCosts(std::vector<StepPlan::StageCost>& sum, const std::vector<StepPlan::StageCost>& more) {
     for (const StepPlan::StageCost& cost : more) {
         const auto same = std::ranges::find(sum, cost.name, &StepPlan::StageCost::name);
@@ -98,53 +67,6 @@ Result<Simulation> Simulation::create(Scene scene, const MeshOverrides& override
     Simulation made(std::move(scene), std::move(*parts), overrides);
     made.rebuildPlan();
     return made;
-}
-
-Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, const MeshOverrides& overrides) {
-    const bool sameBody = scene.body && before.scene_.body && scene.body->sameAs(*before.scene_.body);
-    auto parts = partsOf(scene, overrides, sameBody ? before.body_ : nullptr);
-    if (!parts) return tl::unexpected(parts.error());
-    Simulation after(std::move(scene), std::move(*parts), overrides);
-
-    const std::vector<Vec3> draped = before.nodePositions();
-    std::vector<Vec3> nodes = after.nodePositions();
-    for (std::size_t piece = 0; piece < after.scene_.pattern.pieces.size(); ++piece) {
-        const auto& old = before.scene_.pattern.pieces;
-        const auto found = std::ranges::find_if(
-            old, [&](const auto& candidate) { return candidate->id == after.scene_.pattern.pieces[piece]->id; });
-        if (found == old.end()) continue;
-        const auto from = static_cast<std::size_t>(found - old.begin());
-        const meshing::PieceMesh& oldMesh = before.garment_->mesh->pieces[from];
-        const DrapedPiece drape(
-            oldMesh, std::span(draped).subspan(before.garment_->particles.firstNode[from], oldMesh.nodes.size()));
-        const meshing::PieceMesh& mesh = after.garment_->mesh->pieces[piece];
-        for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
-            nodes[after.garment_->particles.firstNode[piece] + node] = drape.at(mesh.nodes[node]);
-    }
-    joinSewn(*after.garment_->mesh, mergedIn(before, after.scene_.pattern), partedSides, nodes);
-    after.state_.positions = particlePositions(after.garment_->particles, nodes);
-    after.state_.time = before.state_.time;
-    after.steps_ = before.steps_;
-    after.team_ = before.team_;
-    after.sharing_ = before.sharing_;
-    after.teamTrial_ = before.teamTrial_;
-    after.grips_ = before.grips_;
-    after.drapingMethod_ = before.drapingMethod_;
-    after.forced_ = before.forced_;
-    if (sameBody) {
-        after.motion_ = before.motion_;
-        after.movedBody_ = before.movedBody_;
-        after.pinToBody();
-    }
-    after.goesOnAsItLay_ = before.phase_ == Phase::draping || before.goesOnAsItLay_;
-    after.settles_ = after.settles_ || after.goesOnAsItLay_;
-    after.leaps_ = !after.goesOnAsItLay_ || nodes.size() > finer * draped.size();
-    after.sewnTime_ = after.state_.time;
-    after.seamStart_.assign(after.seams_.size(), -1);
-    for (TackState& tack : after.tacks_) tack.start = -1;
-    after.startDue();
-    after.rebuildPlan();
-    return after;
 }
 
 void Simulation::rebuildPlan() {
@@ -259,6 +181,7 @@ std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method 
 
 void Simulation::drapeWith(std::optional<dynamics::Method> method) {
     drapingMethod_ = method;
+    if (method != dynamics::Method::xpbd) lieAsSeen();
     rebuildPlan();
 }
 
@@ -286,6 +209,7 @@ void Simulation::force(std::vector<std::string> stages) {
 void Simulation::hold(std::vector<Grip> grips) {
     if (*grips_ == grips) return;
     restingTime_ = stillTime_ = 0;
+    lieAsSeen();
     if (std::ranges::equal(*grips_, grips, &Grip::samePlace)) {
         *grips_ = std::move(grips);
         if (holdsSleepers()) rebuildPlan();
@@ -352,6 +276,7 @@ Result<void> Simulation::advance(std::stop_token stop) {
     isCalm_ = speeds.areCalm();
     goOnDressing(*merged || closed);
     noteRest(speeds, duration);
+    showWhatRests();
     if (motion_) noteBody();
     noteSleepers(before.positions, duration);
     stepSeconds_ = secondsSince(start);
@@ -383,7 +308,7 @@ std::vector<Vec3> Simulation::nodePositions() const {
 Frame Simulation::frame() const {
     Frame frame;
     frame.topology = topology_;
-    frame.positions = nodePositions();
+    frame.positions = shownNodes();
     frame.body = movedBody_;
     frame.bodyMoves = bodyMoves();
     frame.phase = phase_;

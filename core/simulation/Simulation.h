@@ -96,6 +96,13 @@ enum class Sharing {
     always,
 };
 
+/// From where an edited garment goes on.
+enum class GoesOn {
+    asItLies,
+    asSewn, ///< from where it lay when its last seam was closed, if nothing but its own weight has moved it since: it
+            ///< comes to lie where it would lie if it were put on anew. Frames show the drape before until it rests
+};
+
 /// A scene while time runs. Not shared between threads; others see frames.
 class Simulation {
 public:
@@ -106,7 +113,8 @@ public:
     /// pieces that are new start where they are placed. Time goes on. The mesh is as the document and the overrides
     /// say.
     [[nodiscard]] static Result<Simulation> continued(Scene scene, const Simulation& before,
-                                                      const MeshOverrides& overrides = {});
+                                                      const MeshOverrides& overrides = {},
+                                                      GoesOn from = GoesOn::asItLies);
 
     /// The scene from where a simulation of it stood; integrated by XPBD until drapeWith() says otherwise. Error when
     /// the checkpoint belongs to another scene or mesh.
@@ -198,6 +206,11 @@ public:
 
     /// Positions of all nodes, as the topology numbers them.
     [[nodiscard]] std::vector<Vec3> nodePositions() const;
+    [[nodiscard]] std::vector<Vec3> shownNodes() const; ///< as frames show them
+    /// It was edited and falls into place anew (GoesOn::asSewn), while frames show the drape carried over.
+    [[nodiscard]] bool fallsUnseen() const { return !shown_.empty(); }
+    /// What has to be seen, or something else than its weight, moves the garment from now on: from where it is seen.
+    void lieAsSeen();
     [[nodiscard]] Frame frame() const;
 
 private:
@@ -260,6 +273,10 @@ private:
     [[nodiscard]] Result<bool> mergeReadySeams();
     void startDue();
     void goOnDressing(bool closedSome);
+    [[nodiscard]] std::vector<Vec3> carriedFrom(const Simulation& before, std::span<const Vec3> draped) const;
+    [[nodiscard]] bool mayFallAnew(const Simulation& before) const;
+    void noteSewn();
+    void showWhatRests();
 
     Scene scene_;
     std::unique_ptr<const Garment> garment_; ///< the integrator keeps a reference to its model
@@ -294,6 +311,8 @@ private:
     std::vector<double> seamStart_;             ///< when it began [s]; negative = not yet
     std::vector<TackState> tacks_;
     Phase phase_ = Phase::sewing;
+    std::vector<Vec3> sewnNodes_;   ///< when the last seam was closed; empty: more than weight moved it since
+    std::vector<Vec3> shown_;       ///< nodes in frames, while it falls unseen
     bool goesOnAsItLay_ = false;    ///< after an edit of a garment that lay: dressed as long as its seams close at once
     bool settles_ = false;          ///< it was sewn or edited, and has not rested since
     bool leaps_ = false;            ///< it yields now, or folds as a coarser mesh did: suddenly stiff, it would leap

@@ -148,7 +148,10 @@ void Simulation::goOnDressing(bool closedSome) {
     const std::size_t closing = closingSeams().size() + closingTacks();
     startDue();
     const Phase due = duePhase();
-    if (due != phase_ && phase_ == Phase::sewing) sewnTime_ = state_.time;
+    if (due != phase_ && phase_ == Phase::sewing) {
+        sewnTime_ = state_.time;
+        noteSewn();
+    }
     const bool planStands = !closedSome && due == phase_ && closingSeams().size() + closingTacks() == closing &&
                             !(plannedLevels_ > 0 && !levelsMayHelp());
     if (planStands && damping() == plannedDamping_) return;

@@ -12,7 +12,7 @@ namespace toile::simulation {
 Result<void> Simulation::moveBody(std::shared_ptr<const geometry::VertexMotion> motion) {
     constexpr double sameBody = 1e-3; // [m]
     if (!body_) return fail(ErrorCode::invalidInput, "The scene has no body that could move.");
-    if (phase_ != Phase::draping)
+    if (phase_ != Phase::draping || fallsUnseen())
         return fail(ErrorCode::invalidInput, "The garment is still being put on: the body moves when it is worn.");
     if (scene_.paper || drapingMethod_ != dynamics::Method::xpbd)
         return fail(ErrorCode::unsupported, fmt::format("On a body that moves cloth is simulated by {} alone.",
@@ -22,6 +22,7 @@ Result<void> Simulation::moveBody(std::shared_ptr<const geometry::VertexMotion> 
     motion_ = std::make_shared<collision::MovingSurface>(body_->mesh(), std::move(motion), state_.time);
     body_ = std::shared_ptr<const collision::BodySurface>(motion_, &motion_->surface());
     restingTime_ = 0;
+    sewnNodes_.clear();
     pinToBody();
     rebuildPlan();
     return {};

@@ -87,6 +87,7 @@ private slots:
 
 void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes_data() {
     QTest::addColumn<pattern::Pattern>("blouse");
+    QTest::addColumn<bool>("anew");           // it falls into place anew, as in the window; or it goes on as it lies
     QTest::addColumn<QByteArray>("late");     // why it is not expected to rest soon
     QTest::addColumn<QByteArray>("far");      // and to lie where a drape from scratch does
     QTest::addColumn<QByteArray>("measured"); // nor to measure as those do
@@ -94,15 +95,22 @@ void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes_data() {
     const QByteArray apartFromThem = "the drapes from scratch lie much nearer to each other: docs/simulation.md";
     const QByteArray told =
         "something a tape tells differs by more than between drapes from scratch: docs/simulation.md";
+    const QByteArray falls = "it falls from where it was sewn, as long as one that is put on anew";
     const QByteArray no;
-    QTest::addRow("narrow, 20 mm") << narrowBlouse(0.02) << no << no << told;
-    QTest::addRow("narrow, 14 mm, with a coarse level") << narrowBlouse(0.014) << chance << apartFromThem << told;
-    QTest::addRow("sample, 20 mm") << blouseAt(0.02) << no << apartFromThem << told;
-    QTest::addRow("sample, 14 mm, with a coarse level") << blouseAt(0.014) << chance << apartFromThem << told;
+    QTest::addRow("narrow, 20 mm, anew") << narrowBlouse(0.02) << true << falls << no << told;
+    QTest::addRow("narrow, 14 mm, anew") << narrowBlouse(0.014) << true << falls << apartFromThem << told;
+    QTest::addRow("sample, 20 mm, anew") << blouseAt(0.02) << true << no << no << no;
+    QTest::addRow("sample, 14 mm, anew") << blouseAt(0.014) << true << falls << no << no;
+    QTest::addRow("narrow, 20 mm") << narrowBlouse(0.02) << false << no << no << told;
+    QTest::addRow("narrow, 14 mm, with a coarse level")
+        << narrowBlouse(0.014) << false << chance << apartFromThem << told;
+    QTest::addRow("sample, 20 mm") << blouseAt(0.02) << false << no << apartFromThem << told;
+    QTest::addRow("sample, 14 mm, with a coarse level") << blouseAt(0.014) << false << chance << apartFromThem << told;
 }
 
 void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes() {
     QFETCH(const pattern::Pattern, blouse);
+    QFETCH(const bool, anew);
     QFETCH(const QByteArray, late);
     QFETCH(const QByteArray, far);
     QFETCH(const QByteArray, measured);
@@ -114,8 +122,9 @@ void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes() {
     front.outline.vertices[0].position.y -= 0.01; // the hem at the centre front, on both halves
     scene.pattern.pieces[0] = front;
     const double start = cpuSeconds();
-    auto edited = Simulation::continued(scene, before);
+    auto edited = Simulation::continued(scene, before, {}, anew ? GoesOn::asSewn : GoesOn::asItLies);
     QVERIFY(edited);
+    QCOMPARE(edited->fallsUnseen(), anew);
     QVERIFY(edited->advance());
     const double first = cpuSeconds();
     QVERIFY(edited->allSeamsMerged()); // after one frame step
