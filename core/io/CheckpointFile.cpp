@@ -54,7 +54,7 @@ std::vector<double> numbersOf(const JsonNode& node, double low = -largest, doubl
 
 std::vector<Vec3> vectorsOf(const JsonNode& node) {
     const std::vector<double> numbers = numbersOf(node, -farthest, farthest);
-    if (numbers.size() % 3 != 0) node.refuse("Expected three numbers for each particle.");
+    if (numbers.size() % 3 != 0) node.refuse("Expected three numbers for each place.");
     std::vector<Vec3> vectors;
     for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
         vectors.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
@@ -114,6 +114,8 @@ Result<void> writeCheckpoint(const Checkpoint& point, const std::string& path) {
     json.set("settles", point.settles).set("leaps", point.leaps);
     json.set("seams", std::move(seams)).set("tacks", std::move(tacks));
     json.set("positions", vectorsOf(point.positions)).set("velocities", vectorsOf(point.velocities));
+    if (!point.sewn.empty()) json.set("sewn", vectorsOf(point.sewn));
+    if (!point.shown.empty()) json.set("shown", vectorsOf(point.shown));
     if (!point.contact.forces.empty()) json.set("contact", jsonOf(point.contact));
     return writeFileAtomically(path, toText(json));
 }
@@ -143,6 +145,8 @@ Result<Checkpoint> readCheckpoint(const std::string& path) {
     for (JsonNode& tack : root["tacks"].items()) point.tacks.push_back(tackOf(tack));
     point.positions = vectorsOf(root.required("positions"));
     point.velocities = vectorsOf(root.required("velocities"));
+    point.sewn = vectorsOf(root["sewn"]);
+    point.shown = vectorsOf(root["shown"]);
     if (JsonNode contact = root["contact"]; contact.exists()) point.contact = contactOf(contact);
     if (reading.error) return tl::unexpected(*reading.error);
     return point;

@@ -49,13 +49,18 @@ DrapedPiece::DrapedPiece(const meshing::PieceMesh& mesh, std::span<const Vec3> p
     }
 }
 
-Vec3 DrapedPiece::inTriangle(std::size_t triangle, Vec2 point) const {
+MaterialPlace DrapedPiece::inTriangle(std::size_t triangle, Vec2 point) const {
     const auto& [a, b, c] = mesh_.display[triangle];
     const Barycentric w = barycentric(mesh_.nodes[a], mesh_.nodes[b], mesh_.nodes[c], point);
-    return positions_[a] * w.a + positions_[b] * w.b + positions_[c] * w.c;
+    return {{a, b, c}, {w.a, w.b, w.c}};
 }
 
 std::optional<Vec3> DrapedPiece::inside(Vec2 point) const {
+    const auto place = placeInside(point);
+    return place ? std::optional(place->in(positions_)) : std::nullopt;
+}
+
+std::optional<MaterialPlace> DrapedPiece::placeInside(Vec2 point) const {
     const auto least = [&](int triangle) {
         const auto& [a, b, c] = mesh_.display[triangle];
         return barycentric(mesh_.nodes[a], mesh_.nodes[b], mesh_.nodes[c], point).least();
@@ -67,8 +72,8 @@ std::optional<Vec3> DrapedPiece::inside(Vec2 point) const {
     return std::nullopt;
 }
 
-Vec3 DrapedPiece::at(Vec2 point) const {
-    if (const auto found = inside(point)) return *found;
+MaterialPlace DrapedPiece::placeOf(Vec2 point) const {
+    if (const auto found = placeInside(point)) return *found;
     // Outside the old outline: the triangle that is nearest is continued beyond its edge.
     std::size_t best = 0;
     double nearest = std::numeric_limits<double>::infinity();

@@ -3,9 +3,19 @@
 
 #include "core/simulation/Garment.h"
 
+#include <array>
 #include <optional>
 
 namespace toile::simulation {
+
+/// A point of the material among the nodes of its piece: in a triangle, or beyond it in its plane.
+struct MaterialPlace {
+    std::array<int, 3> nodes{};
+    std::array<double, 3> weights{}; ///< sum to 1
+    [[nodiscard]] Vec3 in(std::span<const Vec3> positions) const {
+        return positions[nodes[0]] * weights[0] + positions[nodes[1]] * weights[1] + positions[nodes[2]] * weights[2];
+    }
+};
 
 /// Where a point of one piece of a mesh is in a drape: found in the display triangle that holds it, or the nearest.
 class DrapedPiece {
@@ -13,12 +23,14 @@ public:
     /// nodes: flat positions in the piece; positions: draped, of the same nodes.
     DrapedPiece(const meshing::PieceMesh& mesh, std::span<const Vec3> positions);
 
-    [[nodiscard]] Vec3 at(Vec2 point) const;
+    [[nodiscard]] MaterialPlace placeOf(Vec2 point) const;
+    [[nodiscard]] Vec3 at(Vec2 point) const { return placeOf(point).in(positions_); }
     /// Nothing for a point that no triangle holds.
     [[nodiscard]] std::optional<Vec3> inside(Vec2 point) const;
 
 private:
-    [[nodiscard]] Vec3 inTriangle(std::size_t triangle, Vec2 point) const;
+    [[nodiscard]] std::optional<MaterialPlace> placeInside(Vec2 point) const;
+    [[nodiscard]] MaterialPlace inTriangle(std::size_t triangle, Vec2 point) const;
 
     const meshing::PieceMesh& mesh_;
     std::span<const Vec3> positions_;

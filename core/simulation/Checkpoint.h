@@ -30,17 +30,19 @@ struct Checkpoint {
     double time = 0;   ///< [s]
     int steps = 0;
     Phase phase = Phase::sewing;
-    std::string method;              ///< that the last frame step was made with; empty = none was
-    double sewnTime = 0;             ///< when the last seam was closed or given up [s]
-    double restingTime = 0;          ///< [s]
-    double largestSpeed = 0;         ///< [m/s]
-    bool goesOnAsItLay = false;      ///< after an edit
-    bool settles = false;            ///< as sewn or edited cloth is damped
-    bool leaps = false;              ///< is held back when its seams are closed
-    std::vector<Seam> seams;         ///< as the pattern has them
-    std::vector<Tack> tacks;         ///< the same
-    std::vector<Vec3> positions;     ///< of particles [m]
-    std::vector<Vec3> velocities;    ///< [m/s]
+    std::string method;           ///< that the last frame step was made with; empty = none was
+    double sewnTime = 0;          ///< when the last seam was closed or given up [s]
+    double restingTime = 0;       ///< [s]
+    double largestSpeed = 0;      ///< [m/s]
+    bool goesOnAsItLay = false;   ///< after an edit
+    bool settles = false;         ///< as sewn or edited cloth is damped
+    bool leaps = false;           ///< is held back when its seams are closed
+    std::vector<Seam> seams;      ///< as the pattern has them
+    std::vector<Tack> tacks;      ///< the same
+    std::vector<Vec3> positions;  ///< of particles [m]
+    std::vector<Vec3> velocities; ///< [m/s]
+    std::vector<Vec3> sewn;       ///< nodes when the last seam was closed; empty: more than weight moved it since [m]
+    std::vector<Vec3> shown;      ///< nodes in frames, while an edited garment falls unseen [m]
     dynamics::ContactMemory contact; ///< with the body
     friend bool operator==(const Checkpoint&, const Checkpoint&) = default;
 };

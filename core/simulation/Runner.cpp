@@ -2,6 +2,7 @@
 #include "core/simulation/Runner.h"
 
 #include "core/base/Mailbox.h"
+#include "core/base/WallTime.h"
 #include "core/simulation/Simulation.h"
 #include "core/simulation/Warnings.h"
 
@@ -28,8 +29,11 @@ constexpr int finishAttempts = 4;
 
 constexpr const char* noMemory = "There is not enough memory to simulate this garment: choose a larger spacing.";
 
-/// The way to the equilibrium is shown in pictures, so slowly that nothing jumps [m/s], but for no longer than [s].
+/// Ways that were not seen are shown in pictures, so slowly that nothing jumps [m/s], but for no longer than [s].
 constexpr double glideSpeed = 0.03, longestGlide = 0.5;
+
+/// By the clock: a garment that takes longer to fall into place anew is seen on its way [s].
+constexpr double longestUnseen = 2;
 constexpr std::chrono::milliseconds glideFrame{16};
 
 /// The way of a vertex from rest to equilibrium: begins and ends slowly.
@@ -165,7 +169,6 @@ private:
             if (auto motion = motions_.take()) take(std::move(*motion));
             if (pushed_.exchange(false) && stands()) playUntil_ = simulation_->state().time + atLeast;
             if (mayStep) {
-                if (stands() && simulation_->fallsUnseen()) simulation_->lieAsSeen(); // who steps wants to see
                 if (advance(seen, cutsSeen)) --steps_;
             } else if (mayPlay && playing_ && stands() && !rests()) {
                 advance(seen, cutsSeen);
@@ -269,6 +272,7 @@ private:
         broken_ = !made;
         if (broken_) return stopWith(toString(made.error()));
         simulation_.emplace(std::move(*made));
+        adopted_ = std::chrono::steady_clock::now();
         simulation_->hold(held_);
         finish_ = Finish::none;
         attempts_ = 0;
@@ -283,9 +287,12 @@ private:
         const std::stop_token stop = fresh(stopStep_);
         if (cuts_ != cutsSeen) return false;
         finish_ = Finish::none;
-        const auto unseen = simulation_->fallsUnseen() ? std::optional(simulation_->frame()) : std::nullopt;
+        const auto before = simulation_->fallsUnseen() ? std::optional(simulation_->frame()) : std::nullopt;
         const auto advanced = simulation_->advance(stop);
-        if (unseen && advanced && !simulation_->fallsUnseen()) showTheWay(*unseen, seen);
+        if (before && advanced) {
+            if (steps_ > 0 || secondsSince(adopted_) > longestUnseen) simulation_->beSeen();
+            if (!simulation_->fallsUnseen()) showTheWay(*before, seen);
+        }
         const bool isCutOff = !advanced && advanced.error().code == ErrorCode::cancelled;
         if (advanced || isCutOff) publish({});
         else stopWith(toString(advanced.error()));
@@ -378,10 +385,11 @@ private:
     std::uint64_t generation_ = 0;
     const std::shared_ptr<Team> team_ = std::make_shared<Team>(); ///< all cores
     std::optional<Simulation> simulation_;
-    std::vector<Grip> held_; ///< by hands, whether there is a garment or not
-    bool broken_ = false;    ///< the scene could not be built; simulation_ is of one before it
-    bool resting_ = false;   ///< the frame published last is at rest
-    double playUntil_ = 0;   ///< at rest or not [s]
+    std::vector<Grip> held_;                        ///< by hands, whether there is a garment or not
+    bool broken_ = false;                           ///< the scene could not be built; simulation_ is of one before it
+    bool resting_ = false;                          ///< the frame published last is at rest
+    double playUntil_ = 0;                          ///< at rest or not [s]
+    std::chrono::steady_clock::time_point adopted_; ///< when the simulation was taken over
     Finish finish_ = Finish::none;
     double finishMove_ = 0;         ///< of the finish before [m]
     std::vector<Warning> warnings_; ///< and of the garment after it

@@ -23,7 +23,8 @@ public:
 
     /// The garment to simulate from now on. If only values changed, the drape is kept where it can be
     /// (positions carried over by material coordinates); where it can (GoesOn::asSewn), the garment then falls into
-    /// place anew, unseen, and frames show the way there. What is playing goes on playing. generation > 0, rising.
+    /// place anew, unseen unless it takes long or is stepped, and frames show the way there. What is playing goes on
+    /// playing. generation > 0, rising.
     void setScene(Scene scene, std::uint64_t generation);
     /// Goes on until paused. A garment that comes to rest stays playing, but costs nothing until the next scene; told
     /// to play again it goes on for half a second at least.

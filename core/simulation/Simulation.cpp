@@ -180,8 +180,8 @@ std::unique_ptr<dynamics::Integrator> Simulation::integratorOf(dynamics::Method 
 }
 
 void Simulation::drapeWith(std::optional<dynamics::Method> method) {
+    if (method != drapingMethod_) lieAsSeen();
     drapingMethod_ = method;
-    if (method != dynamics::Method::xpbd) lieAsSeen();
     rebuildPlan();
 }
 

@@ -100,7 +100,7 @@ enum class Sharing {
 enum class GoesOn {
     asItLies,
     asSewn, ///< from where it lay when its last seam was closed, if nothing but its own weight has moved it since: it
-            ///< comes to lie where it would lie if it were put on anew. Frames show the drape before until it rests
+            ///< falls into place as if it were put on anew. Frames show the drape before until it rests
 };
 
 /// A scene while time runs. Not shared between threads; others see frames.
@@ -209,8 +209,8 @@ public:
     [[nodiscard]] std::vector<Vec3> shownNodes() const; ///< as frames show them
     /// It was edited and falls into place anew (GoesOn::asSewn), while frames show the drape carried over.
     [[nodiscard]] bool fallsUnseen() const { return !shown_.empty(); }
-    /// What has to be seen, or something else than its weight, moves the garment from now on: from where it is seen.
-    void lieAsSeen();
+    /// From now on frames show it as it falls.
+    void beSeen() { shown_.clear(); }
     [[nodiscard]] Frame frame() const;
 
 private:
@@ -273,9 +273,12 @@ private:
     [[nodiscard]] Result<bool> mergeReadySeams();
     void startDue();
     void goOnDressing(bool closedSome);
-    [[nodiscard]] std::vector<Vec3> carriedFrom(const Simulation& before, std::span<const Vec3> draped) const;
+    [[nodiscard]] std::vector<std::vector<Vec3>> carriedFrom(const Simulation& before,
+                                                             std::vector<std::vector<Vec3>> drapes) const;
     [[nodiscard]] bool mayFallAnew(const Simulation& before) const;
+    void beginToSew();
     void noteSewn();
+    void lieAsSeen();
     void showWhatRests();
 
     Scene scene_;

@@ -21,6 +21,8 @@ Checkpoint Simulation::checkpoint() {
                      .leaps = leaps_,
                      .positions = state_.positions,
                      .velocities = state_.velocities,
+                     .sewn = sewnNodes_,
+                     .shown = shown_,
                      .contact = contactMemory()};
     for (std::size_t seam = 0; seam < seams_.size(); ++seam)
         point.seams.push_back(
@@ -48,6 +50,10 @@ Result<Simulation> Simulation::resumed(Scene scene, const MeshOverrides& overrid
     const auto particles = static_cast<std::size_t>(garment->particles.particleCount);
     if (point.positions.size() != particles || point.velocities.size() != particles)
         return refused(fmt::format("{} particles, not {}", point.positions.size(), particles));
+    const auto isOfItsNodes = [&](const std::vector<Vec3>& nodes) {
+        return nodes.empty() || nodes.size() == garment->particles.particleOf.size();
+    };
+    if (!isOfItsNodes(point.sewn) || !isOfItsNodes(point.shown)) return refused("it has another number of nodes");
     if (point.scene != fingerprintOf(after.scene_, *garment))
         return refused("its mesh, fabrics, body or settings are different");
     for (std::size_t seam = 0; seam < point.seams.size(); ++seam)
@@ -67,6 +73,8 @@ Result<Simulation> Simulation::resumed(Scene scene, const MeshOverrides& overrid
     after.goesOnAsItLay_ = point.goesOnAsItLay;
     after.settles_ = point.settles;
     after.leaps_ = point.leaps;
+    after.sewnNodes_ = point.sewn;
+    after.shown_ = point.shown;
     for (std::size_t seam = 0; seam < point.seams.size(); ++seam) {
         const Checkpoint::Seam& from = point.seams[seam];
         after.seams_[seam].merged = from.merged;

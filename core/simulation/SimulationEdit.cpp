@@ -36,13 +36,15 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, 
     if (!parts) return tl::unexpected(parts.error());
     Simulation after(std::move(scene), std::move(*parts), overrides);
 
-    std::vector<Vec3> nodes = after.carriedFrom(before, before.shownNodes());
     const bool fallsAnew = from == GoesOn::asSewn && sameBody && after.mayFallAnew(before);
+    std::vector<std::vector<Vec3>> drapes{before.shownNodes()};
+    if (fallsAnew) drapes.push_back(before.sewnNodes_);
+    std::vector<std::vector<Vec3>> carried = after.carriedFrom(before, std::move(drapes));
+    after.state_.positions = particlePositions(after.garment_->particles, carried.back());
     if (fallsAnew) {
-        after.sewnNodes_ = after.carriedFrom(before, before.sewnNodes_);
-        after.shown_ = std::exchange(nodes, after.sewnNodes_);
+        after.shown_ = std::move(carried[0]);
+        after.sewnNodes_ = std::move(carried[1]);
     }
-    after.state_.positions = particlePositions(after.garment_->particles, nodes);
     after.state_.time = before.state_.time;
     after.steps_ = before.steps_;
     after.team_ = before.team_;
@@ -58,20 +60,29 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, 
     }
     after.goesOnAsItLay_ = !fallsAnew && (before.phase_ == Phase::draping || before.goesOnAsItLay_);
     after.settles_ = after.settles_ || after.goesOnAsItLay_;
-    const std::size_t drapedNodes = before.garment_->particles.particleOf.size();
-    after.leaps_ =
-        !after.goesOnAsItLay_ || static_cast<double>(nodes.size()) > finer * static_cast<double>(drapedNodes);
+    const auto nodesOf = [](const Simulation& s) {
+        return static_cast<double>(s.garment_->particles.particleOf.size());
+    };
+    after.leaps_ = !after.goesOnAsItLay_ || nodesOf(after) > finer * nodesOf(before);
     after.sewnTime_ = after.state_.time;
-    after.seamStart_.assign(after.seams_.size(), -1);
-    for (TackState& tack : after.tacks_) tack.start = -1;
-    after.startDue();
+    after.beginToSew();
     after.rebuildPlan();
     return after;
 }
 
-/// The nodes of this garment where those of another were draped; of pieces that it has not, where they are placed.
-std::vector<Vec3> Simulation::carriedFrom(const Simulation& before, std::span<const Vec3> draped) const {
-    std::vector<Vec3> nodes = nodePositions();
+/// All that is not closed, from where it is.
+void Simulation::beginToSew() {
+    std::ranges::fill(seamStart_, -1);
+    for (TackState& tack : tacks_)
+        if (!tack.closed) tack.start = -1;
+    startDue();
+}
+
+/// The nodes of this garment where those of another lay, in each of its drapes; of pieces that it has not, where they
+/// are placed.
+std::vector<std::vector<Vec3>> Simulation::carriedFrom(const Simulation& before,
+                                                       std::vector<std::vector<Vec3>> drapes) const {
+    std::vector<std::vector<Vec3>> carried(drapes.size(), nodePositions());
     for (std::size_t piece = 0; piece < scene_.pattern.pieces.size(); ++piece) {
         const auto& old = before.scene_.pattern.pieces;
         const auto found = std::ranges::find_if(
@@ -79,14 +90,20 @@ std::vector<Vec3> Simulation::carriedFrom(const Simulation& before, std::span<co
         if (found == old.end()) continue;
         const auto from = static_cast<std::size_t>(found - old.begin());
         const meshing::PieceMesh& oldMesh = before.garment_->mesh->pieces[from];
-        const DrapedPiece drape(oldMesh,
-                                draped.subspan(before.garment_->particles.firstNode[from], oldMesh.nodes.size()));
-        const meshing::PieceMesh& mesh = garment_->mesh->pieces[piece];
-        for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
-            nodes[garment_->particles.firstNode[piece] + node] = drape.at(mesh.nodes[node]);
+        const auto ofPiece = [&](const std::vector<Vec3>& drape) {
+            return std::span(drape).subspan(before.garment_->particles.firstNode[from], oldMesh.nodes.size());
+        };
+        const DrapedPiece draped(oldMesh, ofPiece(drapes[0]));
+        const std::vector<Vec2>& nodes = garment_->mesh->pieces[piece].nodes;
+        for (std::size_t node = 0; node < nodes.size(); ++node) {
+            const MaterialPlace place = draped.placeOf(nodes[node]);
+            for (std::size_t drape = 0; drape < drapes.size(); ++drape)
+                carried[drape][garment_->particles.firstNode[piece] + node] = place.in(ofPiece(drapes[drape]));
+        }
     }
-    joinSewn(*garment_->mesh, mergedIn(before, scene_.pattern), partedSides, nodes);
-    return nodes;
+    for (std::vector<Vec3>& nodes : carried)
+        joinSewn(*garment_->mesh, mergedIn(before, scene_.pattern), partedSides, nodes);
+    return carried;
 }
 
 /// Before it has made a step. What is pinned or frozen stays where it lies now; a piece or a seam that is new has to be
@@ -110,6 +127,7 @@ std::vector<Vec3> Simulation::shownNodes() const {
     return shown_.empty() ? nodePositions() : shown_;
 }
 
+/// Something else than its weight moves the garment from now on: from where it is seen.
 void Simulation::lieAsSeen() {
     sewnNodes_.clear();
     if (shown_.empty()) return;
@@ -122,10 +140,18 @@ void Simulation::lieAsSeen() {
     rebuildPlan();
 }
 
-/// Also what does not come to rest, and what has to be sewn after all.
+/// After a frame step. Also what does not come to rest; and what has not closed at once, as seams of several orders
+/// never do, is sewn again from where it is seen.
 void Simulation::showWhatRests() {
-    if (phase_ == Phase::sewing) sewnNodes_.clear();
-    if (phase_ == Phase::sewing || rests() || state_.time > settledBy()) shown_.clear();
+    if (!fallsUnseen()) return;
+    if (phase_ == Phase::sewing) {
+        lieAsSeen();
+        beginToSew();
+        goesOnAsItLay_ = false;
+        rebuildPlan();
+    } else if (rests() || state_.time > settledBy()) {
+        beSeen();
+    }
 }
 
 } // namespace toile::simulation

@@ -27,6 +27,7 @@ class tst_Checkpoint : public QObject {
 private slots:
     void whatIsResumedGoesOnToTheSameBits_data();
     void whatIsResumedGoesOnToTheSameBits();
+    void whatFallsUnseenGoesOnUnseen();
     void howFarTacksAreIsKept();
     void aCheckpointOfAnotherSceneIsRefused();
     void aCheckpointOfAKnitOfAnotherTensionIsRefused();
@@ -80,6 +81,35 @@ void tst_Checkpoint::whatIsResumedGoesOnToTheSameBits() {
     QCOMPARE(resultHash(*resumed), resultHash(*simulation));
     QVERIFY(resumed->state().velocities == simulation->state().velocities);
     QVERIFY(resumed->checkpoint() == simulation->checkpoint());
+}
+
+void tst_Checkpoint::whatFallsUnseenGoesOnUnseen() {
+    Simulation before = simulationOf(shirt());
+    while (before.phase() != Phase::draping) run(before, 1);
+    Scene heavier = before.scene(); // on the same body
+    heavier.settings.gravity.y *= 1.1;
+    auto edited = Simulation::continued(heavier, before, {}, GoesOn::asSewn);
+    QVERIFY(edited && edited->fallsUnseen());
+    run(*edited, 10);
+    const Checkpoint point = edited->checkpoint();
+    QVERIFY(!point.sewn.empty() && !point.shown.empty());
+    QVERIFY(io::writeCheckpoint(point, file()));
+    const auto read = io::readCheckpoint(file());
+    QVERIFY(read && *read == point);
+    auto resumed = Simulation::resumed(heavier, {}, *read);
+    QVERIFY(resumed && resumed->fallsUnseen());
+    QVERIFY(resumed->frame().positions == edited->frame().positions);
+    run(*edited, 10);
+    run(*resumed, 10);
+    QVERIFY(resumed->checkpoint() == edited->checkpoint());
+    auto again = Simulation::continued(before.scene(), *resumed, {}, GoesOn::asSewn);
+    QVERIFY(again && again->fallsUnseen());
+    for (std::vector<Vec3> Checkpoint::*nodes : {&Checkpoint::sewn, &Checkpoint::shown}) {
+        Checkpoint other = point;
+        (other.*nodes).pop_back();
+        const auto refused = Simulation::resumed(heavier, {}, other);
+        QVERIFY(!refused && toString(refused.error()).find("nodes") != std::string::npos);
+    }
 }
 
 void tst_Checkpoint::howFarTacksAreIsKept() {

@@ -45,8 +45,13 @@ struct FromScratch {
     std::vector<int> frames; ///< to rest
 };
 
-FromScratch dressedAnew(Scene scene) {
-    FromScratch drapes;
+/// Of the garment that was asked for last they are kept.
+const FromScratch& dressedAnew(Scene scene) {
+    static pattern::Pattern of;
+    static FromScratch drapes;
+    if (of == scene.pattern) return drapes;
+    of = scene.pattern;
+    drapes = {};
     const double seamTime = scene.settings.seamTime;
     for (const double slower : {0.0, 0.01, -0.01, 0.02, -0.02}) {
         scene.settings.seamTime = seamTime * (1 + slower);
@@ -98,13 +103,13 @@ void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes_data() {
     const QByteArray falls = "it falls from where it was sewn, as long as one that is put on anew";
     const QByteArray no;
     QTest::addRow("narrow, 20 mm, anew") << narrowBlouse(0.02) << true << falls << no << told;
-    QTest::addRow("narrow, 14 mm, anew") << narrowBlouse(0.014) << true << falls << apartFromThem << told;
-    QTest::addRow("sample, 20 mm, anew") << blouseAt(0.02) << true << no << no << no;
-    QTest::addRow("sample, 14 mm, anew") << blouseAt(0.014) << true << falls << no << no;
     QTest::addRow("narrow, 20 mm") << narrowBlouse(0.02) << false << no << no << told;
+    QTest::addRow("narrow, 14 mm, anew") << narrowBlouse(0.014) << true << falls << apartFromThem << told;
     QTest::addRow("narrow, 14 mm, with a coarse level")
         << narrowBlouse(0.014) << false << chance << apartFromThem << told;
+    QTest::addRow("sample, 20 mm, anew") << blouseAt(0.02) << true << no << no << no;
     QTest::addRow("sample, 20 mm") << blouseAt(0.02) << false << no << apartFromThem << told;
+    QTest::addRow("sample, 14 mm, anew") << blouseAt(0.014) << true << falls << no << no;
     QTest::addRow("sample, 14 mm, with a coarse level") << blouseAt(0.014) << false << chance << apartFromThem << told;
 }
 
@@ -136,7 +141,7 @@ void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes() {
 
     // A garment with friction has many equilibria: how far apart are drapes from scratch, node by node, and by what a
     // tape and the eye can tell of them?
-    const FromScratch scratch = dressedAnew(scene);
+    const FromScratch& scratch = dressedAnew(scene);
     const double spread = apart(scratch.nodes[1], scratch.nodes[0]);
     const double error = apart(edited->nodePositions(), scratch.nodes[0]);
     const auto reference = study::referenceOf(scratch.quantities);

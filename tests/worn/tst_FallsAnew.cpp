@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WornScenes.h"
+#include "samples/Shirt.h"
 #include "tests/Suite.h"
 #include "tests/simulation/RunnerFixture.h"
 
@@ -67,7 +68,10 @@ private slots:
     void whatElseMovedItIsKept();
     void whatIsNoMereChangeGoesOnAsItLies_data();
     void whatIsNoMereChangeGoesOnAsItLies();
+    void aShirtIsSewnAgainFromWhereItLies();
+    void theBodyWaitsForIt();
     void aRunnerShowsTheWay();
+    void aStepIsSeen();
 };
 
 void tst_FallsAnew::theDrapeIsSeenUntilItRests() {
@@ -160,6 +164,15 @@ void tst_FallsAnew::whatIsNoMereChangeGoesOnAsItLies_data() {
         piece.frozen = true;
         scene.pattern.pieces[1] = piece;
     });
+    QTest::newRow("a point that is pinned") << Change([](Scene& scene) {
+        const pattern::Piece& piece = *scene.pattern.pieces[0];
+        scene.pattern.pins.push_back({pattern::PinId("pin"), piece.id, piece.outline.vertices[0].id});
+    });
+    QTest::newRow("a piece more") << Change([](Scene& scene) {
+        pattern::Piece piece = *scene.pattern.pieces[2];
+        piece.id = pattern::PieceId("pocket");
+        scene.pattern.pieces.push_back(piece);
+    });
     QTest::newRow("a seam less, then again") << Change([](Scene& scene) { scene.pattern.seams.pop_back(); });
     QTest::newRow("another body") << Change([](Scene& scene) { scene.body = Shared<body::Body>(mannequin().body); });
 }
@@ -175,6 +188,38 @@ void tst_FallsAnew::whatIsNoMereChangeGoesOnAsItLies() {
         after = edited(after, coarseBlouse()); // has to be sewn
     }
     QVERIFY(!after.fallsUnseen());
+}
+
+/// Its seams close in several orders.
+void tst_FallsAnew::aShirtIsSewnAgainFromWhereItLies() {
+    const auto document = samples::shirt(blouseWearer().measurements, blouseWearer().body);
+    QVERIFY(document);
+    Scene scene{document->pattern, Shared<body::Body>(blouseWearer().body), document->scene};
+    Simulation before = simulationOf(scene);
+    runToRest(before);
+    material::Fabric fabric = *scene.pattern.fabrics[0];
+    fabric.arealDensity *= 1.1;
+    scene.pattern.fabrics[0] = fabric;
+    Simulation after = edited(before, scene);
+    QVERIFY(after.fallsUnseen());
+    const std::vector<Vec3> seen = after.frame().positions;
+    run(after, 1);
+    QVERIFY(!after.fallsUnseen());
+    QVERIFY(farthest(after.nodePositions(), seen) < 0.005);
+    const SewReport report = sewn(after);
+    QVERIFY2(report.worn->worn, reasonsOf(report).c_str());
+    QVERIFY(report.allClosed() && report.allTacked());
+    QCOMPARE(report.contact.selfIntersections, 0);
+}
+
+void tst_FallsAnew::theBodyWaitsForIt() {
+    Simulation after = edited(worn(), longer(coarseBlouse()));
+    while (after.phase() != Phase::draping) run(after, 1);
+    QVERIFY(after.fallsUnseen());
+    const auto& still = (**coarseBlouse().body).mesh.vertices;
+    const auto moved = after.moveBody(
+        std::make_shared<geometry::VertexMotion>(geometry::VertexMotion{.step = 0.1, .poses = {still, still}}));
+    QVERIFY(!moved && moved.error().text.find("put on") != std::string::npos);
 }
 
 void tst_FallsAnew::aRunnerShowsTheWay() {
@@ -196,6 +241,20 @@ void tst_FallsAnew::aRunnerShowsTheWay() {
     }));
     const double whole = farthest(first, last);
     QVERIFY2(ways > 2 && most < 0.7 * whole, qPrintable(QString("%1 of %2 mm").arg(1000 * most).arg(1000 * whole)));
+}
+
+void tst_FallsAnew::aStepIsSeen() {
+    Runner runner;
+    runner.setScene(coarseBlouse(), 1);
+    runner.play();
+    QVERIFY(waitForFrame(runner, [](const Frame& f) { return f.atRest; }));
+    runner.pause();
+    runner.setScene(longer(coarseBlouse()), 2);
+    const auto edited = waitForFrame(runner, [](const Frame& f) { return f.generation == 2; });
+    QVERIFY(edited);
+    runner.step();
+    const auto stepped = waitForFrame(runner, [&](const Frame& f) { return f.time > edited->time; });
+    QVERIFY(stepped && farthest(stepped->positions, edited->positions) > 0.01);
 }
 
 TOILE_TEST(tst_FallsAnew, QCoreApplication)
