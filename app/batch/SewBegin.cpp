@@ -97,7 +97,8 @@ Result<Begun> sewnCoarsely(const SewOptions& options, OpenedScene& opened, const
     auto coarse = placed(options, opened, opened.scene, {.rule = options.rule});
     if (!coarse) return tl::unexpected(coarse.error());
     ProgressBar bar(options.quiet);
-    auto refined = simulation::refined(std::move(*coarse), scene, mesh, settings, stop, bar.progress());
+    const auto stiff = options.substeps ? simulation::StiffBand::bySubsteps : simulation::StiffBand::byInertia;
+    auto refined = simulation::refined(std::move(*coarse), scene, mesh, settings, stiff, stop, bar.progress());
     if (!refined) return tl::unexpected(refined.error());
     return Begun{std::move(refined->fine), std::move(refined->coarse)};
 }

@@ -159,8 +159,10 @@ void CoarseLevels::forget() {
 double CoarseLevels::lightest() const {
     double least = infinite;
     for (const Level& level : levels_) {
-        const double mean = std::accumulate(level.mass.begin(), level.mass.end(), 0.0) / double(level.mass.size());
-        for (const double m : level.mass) least = std::min(least, m / mean);
+        std::vector<double> sorted = level.mass;
+        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+        std::ranges::nth_element(sorted, middle);
+        for (const double m : level.mass) least = std::min(least, m / *middle);
     }
     return least;
 }

@@ -32,7 +32,7 @@ public:
     /// Moves what is not pinned. With a team the work is shared out where it is much: the bits are the same.
     void correct(std::span<Vec3> positions, Team* team = nullptr);
 
-    /// The least mass of a coarse particle over the mean of its level. Near zero where a piece is narrower than the
+    /// The least mass of a coarse particle over the median of its level. Near zero where a piece is narrower than the
     /// cells of a level: such a particle stands for no cloth, and what acts on it flings it.
     [[nodiscard]] double lightest() const;
     [[nodiscard]] int count() const { return static_cast<int>(levels_.size()); }

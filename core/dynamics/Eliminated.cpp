@@ -51,11 +51,11 @@ std::vector<Vec3> Eliminated::gathered(std::span<const Vec3> perParticle) const 
     return sums;
 }
 
-std::vector<double> Eliminated::inverseMass() const {
+std::vector<double> Eliminated::inverseMass(std::span<const double> inertia) const {
     std::vector<double> inverse(unknown_.size(), 0.0);
     for (std::size_t p = 0; p < inverse.size(); ++p)
         for (const auto& [unknown, weight] : termsOf(static_cast<int>(p))) {
-            const double mass = model_->mass[free_[unknown]];
+            const double mass = model_->mass[free_[unknown]] * (inertia.empty() ? 1 : inertia[free_[unknown]]);
             if (mass > 0) inverse[p] += weight * weight / mass;
         }
     return inverse;

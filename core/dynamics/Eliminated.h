@@ -32,7 +32,8 @@ public:
     /// Σ over masters of what lies on every particle, by unknown.
     [[nodiscard]] std::vector<Vec3> gathered(std::span<const Vec3> perParticle) const;
     /// 1/kg: 0 for pinned particles, Σ w²/m for slaves. A free particle without mass gives 0 and is in massless().
-    [[nodiscard]] std::vector<double> inverseMass() const;
+    /// inertia: how many times its mass each particle is taken to have; empty = once.
+    [[nodiscard]] std::vector<double> inverseMass(std::span<const double> inertia = {}) const;
     /// A free particle without mass; −1 = none.
     [[nodiscard]] int massless() const { return massless_; }
 

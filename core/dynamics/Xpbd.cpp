@@ -21,8 +21,8 @@ constexpr int leastParticles = 4000;
 } // namespace
 
 struct Xpbd::Data {
-    Data(const cloth::ClothModel& m, XpbdSettings s)
-        : model(m), settings(s), eliminated(m), inverseMass(eliminated.inverseMass()) {}
+    Data(const cloth::ClothModel& m, XpbdSettings s, std::vector<double> i)
+        : model(m), settings(s), eliminated(m), inertia(std::move(i)), inverseMass(eliminated.inverseMass(inertia)) {}
 
     void compileFor(double h);
     void predict(ParticleState& state, double h, const Vec3& gravity);
@@ -33,7 +33,7 @@ struct Xpbd::Data {
     const cloth::ClothModel& model;
     XpbdSettings settings;
     Eliminated eliminated;
-    std::vector<double> inverseMass;
+    std::vector<double> inertia, inverseMass;
     std::vector<Vec3> previous, slavesBefore;
     std::optional<XpbdSweep> sweep;
     CoarseLevels* levels = nullptr;
@@ -41,7 +41,10 @@ struct Xpbd::Data {
     double compiledStep = 0;
 };
 
-Xpbd::Xpbd(const cloth::ClothModel& model, XpbdSettings settings) : data_(std::make_unique<Data>(model, settings)) {}
+Xpbd::Xpbd(const cloth::ClothModel& model, XpbdSettings settings, std::vector<double> inertia)
+    : data_(std::make_unique<Data>(model, settings, std::move(inertia))) {
+    expects(data_->inertia.empty() || data_->inertia.size() == model.mass.size(), "one inertia per particle");
+}
 Xpbd::Xpbd(Xpbd&&) noexcept = default;
 Xpbd& Xpbd::operator=(Xpbd&&) noexcept = default;
 Xpbd::~Xpbd() = default;
@@ -99,7 +102,7 @@ void Xpbd::Data::predict(ParticleState& state, double h, const Vec3& gravity) {
     inParts(team, static_cast<int>(free.size()), leastParticles, [&](int begin, int end) {
         for (const int p : free.subspan(begin, end - begin)) {
             Vec3& v = state.velocities[p];
-            v += h * gravity;
+            v += (inertia.empty() ? h : h / inertia[p]) * gravity;
             if (limit > 0 && squaredLength(v) > limit * limit) v *= limit / geometry::length(v);
             state.positions[p] += h * v;
         }
@@ -161,8 +164,8 @@ std::span<const double> Xpbd::inverseMass() const {
 }
 
 std::size_t Xpbd::bytes() const {
-    return sizeof(Data) + data_->inverseMass.capacity() * sizeof(double) + data_->previous.capacity() * sizeof(Vec3) +
-           (data_->sweep ? data_->sweep->bytes() : 0);
+    return sizeof(Data) + (data_->inertia.capacity() + data_->inverseMass.capacity()) * sizeof(double) +
+           data_->previous.capacity() * sizeof(Vec3) + (data_->sweep ? data_->sweep->bytes() : 0);
 }
 
 int substepsFor(double frameStep, int springsOnLine, double gravity, double error) {

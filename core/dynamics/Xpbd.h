@@ -28,7 +28,9 @@ struct XpbdSettings {
 /// outlive it and stay as it is. Ref: Macklin, Müller, Chentanez 2016; Macklin et al. 2019 – docs/physics/xpbd.md
 class Xpbd {
 public:
-    Xpbd(const cloth::ClothModel& model, XpbdSettings settings);
+    /// inertia: mass scaling, how many times its mass a particle resists being moved, at least 1; its weight stays, and
+    /// with it every equilibrium. By particle; empty = once.
+    Xpbd(const cloth::ClothModel& model, XpbdSettings settings, std::vector<double> inertia = {});
     Xpbd(Xpbd&&) noexcept;
     Xpbd& operator=(Xpbd&&) noexcept;
     ~Xpbd();
@@ -45,7 +47,7 @@ public:
     /// Shares the work of a substep out, where it is much; null = alone. Borrowed. The bits are the same.
     void workWith(Team* team);
     void setSettings(XpbdSettings settings);
-    /// 1/kg; 0 = pinned, Σ w²/m for a slave.
+    /// 1/kg, of the scaled masses; 0 = pinned, Σ w²/m for a slave.
     [[nodiscard]] std::span<const double> inverseMass() const;
     [[nodiscard]] std::size_t bytes() const;
 

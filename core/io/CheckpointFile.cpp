@@ -20,9 +20,10 @@ constexpr double longest = 1e9;  ///< [s], some 30 years: still a frame step lat
 constexpr double farthest = 1e6; ///< of any coordinate [m], and fastest [m/s]
 constexpr double largest = std::numeric_limits<double>::max();
 
-Json numbersOf(const std::vector<double>& values) {
+template <typename Number>
+Json numbersOf(const std::vector<Number>& values) {
     Json::Array numbers;
-    for (const double value : values) numbers.emplace_back(value);
+    for (const Number value : values) numbers.emplace_back(static_cast<double>(value));
     return numbers;
 }
 
@@ -114,6 +115,7 @@ Result<void> writeCheckpoint(const Checkpoint& point, const std::string& path) {
     json.set("settles", point.settles).set("leaps", point.leaps);
     json.set("seams", std::move(seams)).set("tacks", std::move(tacks));
     json.set("positions", vectorsOf(point.positions)).set("velocities", vectorsOf(point.velocities));
+    if (!point.hangsBy.empty()) json.set("hangsBy", numbersOf(point.hangsBy));
     if (!point.sewn.empty()) json.set("sewn", vectorsOf(point.sewn));
     if (!point.shown.empty()) json.set("shown", vectorsOf(point.shown));
     if (!point.contact.forces.empty()) json.set("contact", jsonOf(point.contact));
@@ -145,6 +147,8 @@ Result<Checkpoint> readCheckpoint(const std::string& path) {
     for (JsonNode& tack : root["tacks"].items()) point.tacks.push_back(tackOf(tack));
     point.positions = vectorsOf(root.required("positions"));
     point.velocities = vectorsOf(root.required("velocities"));
+    for (const JsonNode& node : root["hangsBy"].items())
+        point.hangsBy.push_back(node.integer(0, 0, std::numeric_limits<int>::max()));
     point.sewn = vectorsOf(root["sewn"]);
     point.shown = vectorsOf(root["shown"]);
     if (JsonNode contact = root["contact"]; contact.exists()) point.contact = contactOf(contact);

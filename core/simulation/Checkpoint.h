@@ -41,6 +41,7 @@ struct Checkpoint {
     std::vector<Tack> tacks;      ///< the same
     std::vector<Vec3> positions;  ///< of particles [m]
     std::vector<Vec3> velocities; ///< [m/s]
+    std::vector<int> hangsBy;     ///< nodes, of a garment on a finer mesh than it was sewn on
     std::vector<Vec3> sewn;       ///< nodes when the last seam was closed; empty: more than weight moved it since [m]
     std::vector<Vec3> shown;      ///< nodes in frames, while an edited garment falls unseen [m]
     dynamics::ContactMemory contact; ///< with the body

@@ -8,17 +8,18 @@
 namespace toile::simulation {
 namespace {
 
-constexpr double leastMass = 0.05; ///< of a coarse particle over the mean of its level; the samples have 0.19 and more
+constexpr double leastMass =
+    0.05; ///< of a coarse particle over the median of its level; the samples have 0.19 and more
 
 } // namespace
 
-LevelPlan levelPlanFor(int substeps, bool oneMore) {
-    constexpr int bearable = 60, fewest = 24, many = 30, enough = 28, fine = 2;
-    if (substeps <= bearable) return {0, substeps};
+LevelPlan levelPlanFor(int substeps, const LevelRule& rule) {
+    constexpr int many = 30, enough = 28, fine = 2;
+    if (substeps <= rule.bearable) return {0, substeps};
     const auto leftBy = [&](int levels) { return (substeps + (1 << levels) - 1) >> levels; };
     int levels = 0;
-    while (leftBy(levels + 1) >= fewest) ++levels;
-    if (oneMore && levels >= fine && leftBy(levels) > many) return {levels + 1, enough};
+    while (leftBy(levels + 1) >= rule.fewest) ++levels;
+    if (rule.oneMore && levels >= fine && leftBy(levels) > many) return {levels + 1, enough};
     return {levels, leftBy(levels)};
 }
 
@@ -61,17 +62,20 @@ Result<std::vector<meshing::GarmentMesh>> coarserMeshes(const meshing::MeshInput
     return meshes;
 }
 
-Result<std::unique_ptr<dynamics::CoarseLevels>>
-levelsOf(const pattern::Pattern& pattern, const MeshOverrides& overrides, const Garment& garment, int levels) {
+Result<std::unique_ptr<dynamics::CoarseLevels>> levelsOf(const pattern::Pattern& pattern,
+                                                         const MeshOverrides& overrides, const Garment& garment,
+                                                         int levels, std::span<const double> inertia) {
     const auto input = meshInputOf(pattern, overrides);
     if (!input) return tl::unexpected(input.error());
     const auto coarser = coarserMeshes(*input, levels);
     if (!coarser) return tl::unexpected(coarser.error());
     std::vector<dynamics::LevelMesh> meshes;
     for (const meshing::GarmentMesh& mesh : *coarser) meshes.push_back(levelMeshOf(pattern, mesh, garment.mergedSeams));
+    std::vector<double> mass = garment.model.mass;
+    for (std::size_t particle = 0; particle < inertia.size(); ++particle) mass[particle] *= inertia[particle];
     auto made =
-        std::make_unique<dynamics::CoarseLevels>(levelMeshOf(pattern, *garment.mesh, garment.mergedSeams), meshes,
-                                                 garment.model.mass, dynamics::Eliminated(garment.model).inverseMass());
+        std::make_unique<dynamics::CoarseLevels>(levelMeshOf(pattern, *garment.mesh, garment.mergedSeams), meshes, mass,
+                                                 dynamics::Eliminated(garment.model).inverseMass(inertia));
     if (made->lightest() < leastMass) return fail(ErrorCode::unsupported, "a piece is narrower than their cells");
     return made;
 }

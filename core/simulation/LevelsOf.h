@@ -13,9 +13,13 @@ namespace toile::simulation {
 struct LevelPlan {
     int levels = 0, substeps = 0;
 };
-/// None up to 60 substeps. Each level halves their number, down to 24 at least. Where more than 30 are left by two
-/// levels or more, one more leaves 28, if pieces are wide enough for it.
-[[nodiscard]] LevelPlan levelPlanFor(int substeps, bool oneMore = true);
+struct LevelRule {
+    int bearable = 60;   ///< substeps up to which there is none
+    int fewest = 24;     ///< substeps that they leave at least
+    bool oneMore = true; ///< where two levels or more leave over 30, one more leaves 28, if pieces are wide enough
+};
+/// Each level halves the number of substeps.
+[[nodiscard]] LevelPlan levelPlanFor(int substeps, const LevelRule& rule = {});
 
 /// The surface of a meshed pattern in the words of the hierarchy; nodes of merged seams are one particle. Every piece
 /// has its fabric.
@@ -26,8 +30,10 @@ struct LevelPlan {
 [[nodiscard]] Result<std::vector<meshing::GarmentMesh>> coarserMeshes(const meshing::MeshInput& fine, int levels);
 
 /// The hierarchy above a garment, its seams merged as the garment's are. Error where a piece cannot be meshed so
-/// coarsely, or is narrower than their cells.
-[[nodiscard]] Result<std::unique_ptr<dynamics::CoarseLevels>>
-levelsOf(const pattern::Pattern& pattern, const MeshOverrides& overrides, const Garment& garment, int levels);
+/// coarsely, or is narrower than their cells. inertia: as Xpbd has it.
+[[nodiscard]] Result<std::unique_ptr<dynamics::CoarseLevels>> levelsOf(const pattern::Pattern& pattern,
+                                                                       const MeshOverrides& overrides,
+                                                                       const Garment& garment, int levels,
+                                                                       std::span<const double> inertia = {});
 
 } // namespace toile::simulation

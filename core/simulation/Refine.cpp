@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Refine.h"
 
+#include "core/simulation/HangsBy.h"
+
 namespace toile::simulation {
 
 Result<Refined> refined(Simulation coarse, Scene scene, const MeshOverrides& fine, const SewSettings& settings,
-                        std::stop_token stop, const Progress& progress) {
+                        StiffBand stiff, std::stop_token stop, const Progress& progress) {
     SewSettings unfinished = settings;
     unfinished.seconds.reset();
     unfinished.finish = false;
@@ -12,6 +14,7 @@ Result<Refined> refined(Simulation coarse, Scene scene, const MeshOverrides& fin
     if (!sewn) return tl::unexpected(sewn.error());
     auto simulation = Simulation::continued(std::move(scene), coarse, fine);
     if (!simulation) return tl::unexpected(simulation.error());
+    if (stiff == StiffBand::byInertia) simulation->hangBy(nodesItHangsBy(coarse, *simulation));
     return Refined{std::move(*simulation),
                    {.particles = sewn->particles,
                     .steps = sewn->steps,

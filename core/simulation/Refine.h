@@ -11,12 +11,18 @@ struct Refined {
     CoarseRun coarse;
 };
 
+/// What keeps the band that the fine garment hangs by as stiff as it is.
+enum class StiffBand {
+    byInertia,  ///< Simulation::hangBy(): in as many substeps as the mesh needs
+    bySubsteps, ///< as many as the scene asks for
+};
+
 /// Sews a garment on a coarse mesh until it rests, holds it as sew() does, and carries its drape over to a finer mesh
 /// of the same pattern: to sew and to fall into place is cheap there. The fine garment has to come to rest yet, and to
 /// its equilibrium, which the coarse one is not brought to. Errors: as sew() and Simulation::continued().
 [[nodiscard]] Result<Refined> refined(Simulation coarse, Scene scene, const MeshOverrides& fine,
-                                      const SewSettings& settings, std::stop_token stop = {},
-                                      const Progress& progress = {});
+                                      const SewSettings& settings, StiffBand stiff = StiffBand::byInertia,
+                                      std::stop_token stop = {}, const Progress& progress = {});
 
 /// What is left to do of the settings for the fine garment: what was held is not held again.
 [[nodiscard]] SewSettings settingsAfter(const CoarseRun& coarse, SewSettings settings);

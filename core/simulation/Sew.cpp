@@ -5,6 +5,7 @@
 #include "core/base/TimeLimit.h"
 #include "core/base/WallTime.h"
 #include "core/dynamics/Energy.h"
+#include "core/simulation/HangsBy.h"
 #include "core/simulation/Inspect.h"
 #include "core/simulation/Warnings.h"
 
@@ -95,12 +96,6 @@ Result<void> finish(SewReport& result, Simulation& simulation, const SewSettings
         if (result.ending != "at rest") break;
     }
     return {};
-}
-
-/// Whether nothing but its waistband keeps the garment up.
-bool hangsOnItsWaistband(const Simulation& simulation) {
-    const Scene& scene = simulation.scene();
-    return scene.body && !(*scene.body)->axes.empty() && !hasNeckOpening(drapeOf(simulation), **scene.body);
 }
 
 /// Goes on after rest; what still rests then has stayed where it is.

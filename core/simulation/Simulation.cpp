@@ -4,6 +4,7 @@
 #include "core/base/WallTime.h"
 #include "core/simulation/AirOf.h"
 #include "core/simulation/BodyContactOf.h"
+#include "core/simulation/HangsBy.h"
 #include "core/simulation/LayersApart.h"
 #include "core/simulation/LevelsOf.h"
 #include "core/simulation/PlanOf.h"
@@ -87,7 +88,7 @@ void Simulation::planAnew() {
     const auto former = std::exchange(awake_, awakeNow()); // to its model refers what still stands
     addCosts(formerCosts_, plan_.costs());
     Scene now = scene_;
-    if (phase_ != Phase::draping) now.settings.bodyFriction = 0;
+    if (phase_ != Phase::draping && hangsBy_.empty()) now.settings.bodyFriction = 0;
     const StepPlan before =
         std::exchange(plan_, planOf(now, *garment_, awake(), body_.get(), carriedAlong(), std::move(pairs), tacks_,
                                     grips_, state_.positions, forced_, phase_));
@@ -104,7 +105,7 @@ void Simulation::planAnew() {
         integrator_ = integratorOf(dynamics::Method::subcycledEuler);
         return;
     }
-    xpbd_ = std::make_unique<dynamics::Xpbd>(awake().model, settingsOfXpbd());
+    xpbd_ = std::make_unique<dynamics::Xpbd>(awake().model, settingsOfXpbd(), inertiaIn(substeps_));
     xpbd_->workWith(teamOfStep());
     integrator_.reset();
     calmingFrames_ = 0;
@@ -126,19 +127,40 @@ dynamics::ContactMemory Simulation::contactMemory() const {
 /// Substeps of position-based steps, and the coarse levels that make them few.
 void Simulation::planSubsteps() {
     const bool sewing = phase_ == Phase::sewing;
-    substeps_ = scene_.settings.substeps > 0 ? scene_.settings.substeps : fullSubsteps();
-    // Beside a body that moves levels have no memory, and three would mislead cloth that two help.
-    const LevelPlan corrected = levelPlanFor(substeps_, takesOneMore_ && !motion_);
+    substeps_ = askedSubsteps() > 0 ? askedSubsteps() : fullSubsteps();
+    const LevelPlan corrected = levelPlan();
     plannedLevels_ = 0;
     areLevelsDue_ = false;
     if (sewing) plan_.leaveOut("coarse levels", "cloth that yields sews well");
-    else if (scene_.settings.substeps > 0) plan_.leaveOut("coarse levels", "the scene says how many substeps");
+    else if (askedSubsteps() > 0) plan_.leaveOut("coarse levels", "the scene says how many substeps");
     else if (drapingMethod_ != dynamics::Method::xpbd) plan_.leaveOut("coarse levels", "no position-based steps");
     else if (corrected.levels == 0) plan_.leaveOut("coarse levels", fmt::format("{} substeps suffice", substeps_));
     else if (!levelsMayHelp()) plan_.leaveOut("coarse levels", "only while a garment falls into its place");
     else planLevels(corrected);
-    if (!grips_->empty() && scene_.settings.substeps == 0) substeps_ = std::max(substeps_, handSubsteps);
+    if (!grips_->empty() && askedSubsteps() == 0) substeps_ = std::max(substeps_, handSubsteps);
     if (sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
+}
+
+/// How many substeps keep its band stiff is what a scene asks for; inertia does it as well.
+int Simulation::askedSubsteps() const {
+    return hangsBy_.empty() ? scene_.settings.substeps : 0;
+}
+
+/// Of the substeps that are planned. Beside a body that moves levels have no memory, and three would mislead cloth that
+/// two help; and what came from a coarser mesh trembles by the last level it could have for longer than it saves.
+LevelPlan Simulation::levelPlan() const {
+    constexpr LevelRule ofFiner{.bearable = 80, .fewest = 36, .oneMore = false};
+    return levelPlanFor(substeps_, hangsBy_.empty() ? LevelRule{.oneMore = takesOneMore_ && !motion_} : ofFiner);
+}
+
+std::vector<double> Simulation::inertiaIn(int substeps) const {
+    if (hangsBy_.empty() || phase_ == Phase::sewing) return {};
+    return inertiaOf(*garment_, hangsBy_, scene_.settings.frameStep / substeps);
+}
+
+void Simulation::hangBy(std::vector<int> nodes) {
+    hangsBy_ = std::move(nodes);
+    rebuildPlan();
 }
 
 /// Those of a cloth that no level corrects.
@@ -159,9 +181,9 @@ void Simulation::correctByDueLevels() {
     if (!areLevelsDue_) return;
     areLevelsDue_ = false;
     if (!levels_ || levels_->count() != plannedLevels_) {
-        auto made = levelsOf(scene_.pattern, overrides_, *garment_, plannedLevels_);
+        auto made = levelsOf(scene_.pattern, overrides_, *garment_, plannedLevels_, inertiaIn(substeps_));
         if (!made) {
-            if (plannedLevels_ > levelPlanFor(fullSubsteps(), false).levels) takesOneMore_ = false;
+            if (plannedLevels_ > levelPlanFor(fullSubsteps(), {.oneMore = false}).levels) takesOneMore_ = false;
             else whyNoLevels_ = made.error().text;
             planSubsteps();
             return correctByDueLevels();

@@ -120,6 +120,10 @@ public:
     /// the checkpoint belongs to another scene or mesh.
     [[nodiscard]] static Result<Simulation> resumed(Scene scene, const MeshOverrides& overrides,
                                                     const Checkpoint& checkpoint);
+    /// The nodes by which a garment on a finer mesh hangs: friction holds them from the first frame step on, and while
+    /// it falls into place they have as much more inertia as it takes for few substeps to keep the cloth there as stiff
+    /// as it is, however many the scene asks for. Empty: none, as it is made.
+    void hangBy(std::vector<int> nodes);
     /// Where it stands now, of a body that stands where the scene has it. What is only remembered from step to step
     /// (what friction holds, which layers are near) is let go here as it will be by the simulation that is resumed:
     /// both go on to the same bits, if hands hold the same.
@@ -244,6 +248,9 @@ private:
     [[nodiscard]] Team* teamOfStep() const;      ///< also null where sharing does not pay
     [[nodiscard]] Result<void> drawTaut(std::stop_token stop);
     [[nodiscard]] int fullSubsteps() const;
+    [[nodiscard]] int askedSubsteps() const; ///< by the scene; 0 = from the mesh
+    [[nodiscard]] LevelPlan levelPlan() const;
+    [[nodiscard]] std::vector<double> inertiaIn(int substeps) const; ///< mass scaling; empty = none
     void planLevels(const LevelPlan& corrected);
     void correctByDueLevels();
     [[nodiscard]] bool levelsMayHelp() const;
@@ -315,6 +322,7 @@ private:
     std::vector<TackState> tacks_;
     Phase phase_ = Phase::sewing;
     std::vector<Vec3> sewnNodes_;   ///< when the last seam was closed; empty: more than weight moved it since
+    std::vector<int> hangsBy_;      ///< nodes, of a garment that has been made finer
     std::vector<Vec3> shown_;       ///< nodes in frames, while it falls unseen
     bool goesOnAsItLay_ = false;    ///< after an edit of a garment that lay: dressed as long as its seams close at once
     bool settles_ = false;          ///< it was sewn or edited, and has not rested since

@@ -2,7 +2,9 @@
 #include "core/simulation/BodyContactOf.h"
 #include "core/simulation/Simulation.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace toile::simulation {
 
@@ -21,6 +23,7 @@ Checkpoint Simulation::checkpoint() {
                      .leaps = leaps_,
                      .positions = state_.positions,
                      .velocities = state_.velocities,
+                     .hangsBy = hangsBy_,
                      .sewn = sewnNodes_,
                      .shown = shown_,
                      .contact = contactMemory()};
@@ -54,6 +57,8 @@ Result<Simulation> Simulation::resumed(Scene scene, const MeshOverrides& overrid
         return nodes.empty() || nodes.size() == garment->particles.particleOf.size();
     };
     if (!isOfItsNodes(point.sewn) || !isOfItsNodes(point.shown)) return refused("it has another number of nodes");
+    const auto isItsNode = [&](int node) { return node >= 0 && node < std::ssize(garment->particles.particleOf); };
+    if (!std::ranges::all_of(point.hangsBy, isItsNode)) return refused("it hangs by a node that is not there");
     if (point.scene != fingerprintOf(after.scene_, *garment))
         return refused("its mesh, fabrics, body or settings are different");
     for (std::size_t seam = 0; seam < point.seams.size(); ++seam)
@@ -73,6 +78,7 @@ Result<Simulation> Simulation::resumed(Scene scene, const MeshOverrides& overrid
     after.goesOnAsItLay_ = point.goesOnAsItLay;
     after.settles_ = point.settles;
     after.leaps_ = point.leaps;
+    after.hangsBy_ = point.hangsBy;
     after.sewnNodes_ = point.sewn;
     after.shown_ = point.shown;
     for (std::size_t seam = 0; seam < point.seams.size(); ++seam) {

@@ -23,7 +23,8 @@ Result<void> Simulation::drawTaut(std::stop_token stop) {
     const int substeps = fullSubsteps();
     const bool isSoft = levelPlanFor(substeps).levels > 0 || plan_.find("self-contact") != nullptr;
     if (drapingMethod_ != dynamics::Method::xpbd || scene_.paper || !isSoft) return {};
-    dynamics::Xpbd xpbd(garment_->model, {.damping = tautDamping, .speedLimit = speedLimit});
+    dynamics::Xpbd xpbd(garment_->model, {.damping = tautDamping, .speedLimit = speedLimit},
+                        inertiaIn(tautSubsteps * substeps));
     xpbd.workWith(teamWorthWaking());
     for (int frame = 0; frame < tautFrames; ++frame)
         if (auto done = xpbd.step(state_, duration, tautSubsteps * substeps, gravity(), plan_.stages(), stop); !done)

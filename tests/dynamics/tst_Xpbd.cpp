@@ -56,6 +56,39 @@ class tst_Xpbd : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A weight on a spring far stiffer than its substeps allow: it sinks by g h², with inertia s by g h²/s.
+    void inertiaLetsASpringBeStiffAndLeavesTheWeight() {
+        const double h = 1.0 / 600, mass = 1e-4;
+        cloth::ClothModel model;
+        model.mass = {mass, mass};
+        model.pinned = {0};
+        model.structural = {{0, 1, 0.1, 1e6}};
+        const auto sunkBy = [&](std::vector<double> inertia) {
+            ParticleState state{{{0, 0.1, 0}, {}}, std::vector<Vec3>(2), 0};
+            dynamics::Xpbd xpbd(model, {.damping = 50}, std::move(inertia));
+            for (int frame = 0; frame < 60; ++frame)
+                if (!xpbd.step(state, 10 * h, 10, {0, -9.81, 0}, {})) qFatal("no step");
+            return -state.positions[1].y;
+        };
+        const double own = 9.81 * h * h;
+        QVERIFY(std::abs(sunkBy({}) / own - 1) < 0.01);
+        QVERIFY(std::abs(sunkBy({1, 1}) / own - 1) < 0.01);
+        QVERIFY(std::abs(sunkBy({1, 50}) / (own / 50) - 1) < 0.01);
+        model.structural[0].stiffness = 1; // softer than the cap: it hangs by its weight, whatever its inertia
+        const double stretched = mass * 9.81 / 1;
+        QVERIFY(std::abs(sunkBy({}) / stretched - 1) < 0.01);
+        QVERIFY(std::abs(sunkBy({1, 4}) / stretched - 1) < 0.02);
+    }
+
+    /// Σ w²/m, of the scaled masses.
+    void inertiaOfMastersIsThatOfTheirSlave() {
+        cloth::ClothModel model;
+        model.mass = {1, 2, 0};
+        model.slaves = {{2, {{0, 0.5}, {1, 0.5}}}};
+        const dynamics::Xpbd own(model, {}), scaled(model, {}, {10, 10, 1});
+        for (int p = 0; p < 3; ++p) QVERIFY(std::abs(scaled.inverseMass()[p] * 10 / own.inverseMass()[p] - 1) < 1e-12);
+    }
+
     void pinnedParticlesStay() {
         Specimen c = horizontal(square(6), wovenFabric(), {0, 6});
         const auto before = c.state.positions;

@@ -32,9 +32,19 @@ private slots:
         isCorrected(138, 3, 28); // at 7 mm
         isCorrected(160, 3, 28); // at 6 mm
         isCorrected(200, 3, 25);
-        isCorrected(300, 4, 28);                      // at 3.2 mm
-        QCOMPARE(levelPlanFor(138, false).levels, 2); // the third is too coarse for a piece
-        QCOMPARE(levelPlanFor(138, false).substeps, 35);
+        isCorrected(300, 4, 28);                                   // at 3.2 mm
+        QCOMPARE(levelPlanFor(138, {.oneMore = false}).levels, 2); // the third is too coarse for a piece
+        QCOMPARE(levelPlanFor(138, {.oneMore = false}).substeps, 35);
+    }
+
+    void aRuleSaysHowManyAreSpared() {
+        constexpr LevelRule rule{.bearable = 80, .fewest = 36, .oneMore = false}; // of trousers made finer
+        const std::array<std::array<int, 3>, 5> expected{
+            {{80, 0, 80}, {81, 1, 41}, {144, 2, 36}, {173, 2, 44}, {394, 3, 50}}};
+        for (const auto& [substeps, levels, left] : expected) {
+            QCOMPARE(levelPlanFor(substeps, rule).levels, levels);
+            QCOMPARE(levelPlanFor(substeps, rule).substeps, left);
+        }
     }
 
     void aStrapNarrowerThanTheirCellsHasNone() { // S34 of the stability suite

@@ -127,7 +127,8 @@ void tst_Refine::whatTheCoarseRunTookIsCounted() {
 void tst_Refine::aStopEndsIt() {
     std::stop_source stop;
     stop.request_stop();
-    const auto found = refined(simulationOf(hanging()), hanging(), {.spacing = fineSpacing}, {}, stop.get_token());
+    const auto found = refined(simulationOf(hanging()), hanging(), {.spacing = fineSpacing}, {}, StiffBand::byInertia,
+                               stop.get_token());
     QVERIFY(!found && found.error().code == ErrorCode::cancelled);
 }
 
