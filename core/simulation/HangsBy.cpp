@@ -5,6 +5,8 @@
 #include "core/simulation/Openings.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace toile::simulation {
 namespace {

@@ -238,6 +238,7 @@ void Simulation::hold(std::vector<Grip> grips) {
         return;
     }
     grips_ = std::make_shared<std::vector<Grip>>(std::move(grips)); // the plan that stands reads the others
+    hangsBy_.clear();                                               // what is to move has its own mass
     rebuildPlan();
 }
 

@@ -122,7 +122,8 @@ public:
                                                     const Checkpoint& checkpoint);
     /// The nodes by which a garment on a finer mesh hangs: friction holds them from the first frame step on, and while
     /// it falls into place they have as much more inertia as it takes for few substeps to keep the cloth there as stiff
-    /// as it is, however many the scene asks for. Empty: none, as it is made.
+    /// as it is, however many the scene asks for. Until hands or a body that moves take hold of it. Empty: none, as it
+    /// is made.
     void hangBy(std::vector<int> nodes);
     /// Where it stands now, of a body that stands where the scene has it. What is only remembered from step to step
     /// (what friction holds, which layers are near) is let go here as it will be by the simulation that is resumed:

@@ -23,6 +23,7 @@ Result<void> Simulation::moveBody(std::shared_ptr<const geometry::VertexMotion> 
     body_ = std::shared_ptr<const collision::BodySurface>(motion_, &motion_->surface());
     restingTime_ = 0;
     sewnNodes_.clear();
+    hangsBy_.clear(); // what is to move has its own mass
     pinToBody();
     rebuildPlan();
     return {};

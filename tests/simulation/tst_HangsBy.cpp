@@ -6,6 +6,7 @@
 
 #include <QTest>
 #include <algorithm>
+#include <array>
 
 using namespace toile;
 using namespace toile::simulation;
