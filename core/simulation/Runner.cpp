@@ -3,6 +3,7 @@
 
 #include "core/base/Mailbox.h"
 #include "core/base/WallTime.h"
+#include "core/simulation/Glide.h"
 #include "core/simulation/Simulation.h"
 #include "core/simulation/Warnings.h"
 
@@ -29,17 +30,8 @@ constexpr int finishAttempts = 4;
 
 constexpr const char* noMemory = "There is not enough memory to simulate this garment: choose a larger spacing.";
 
-/// Ways that were not seen are shown in pictures, so slowly that nothing jumps [m/s], but for no longer than [s].
-constexpr double glideSpeed = 0.03, longestGlide = 0.5;
-
 /// By the clock: a garment that takes longer to fall into place anew is seen on its way [s].
 constexpr double longestUnseen = 2;
-constexpr std::chrono::milliseconds glideFrame{16};
-
-/// The way of a vertex from rest to equilibrium: begins and ends slowly.
-double eased(double share) {
-    return share * share * (3 - 2 * share);
-}
 
 } // namespace
 
@@ -341,20 +333,14 @@ private:
 
     /// Pictures between where the garment was seen last and where it lies now.
     void glideFrom(const Frame& seen, Finish finish, std::stop_token stop) {
-        const std::vector<Vec3> settled = simulation_->nodePositions();
-        double farthest = 0; // [m]
-        for (std::size_t v = 0; v < settled.size(); ++v)
-            farthest = std::max(farthest, geometry::distance(seen.positions[v], settled[v]));
-        const double duration = std::min(farthest / glideSpeed, longestGlide);
-        const auto frames = static_cast<int>(duration / std::chrono::duration<double>(glideFrame).count());
-        for (int i = 1; i < frames && !stop.stop_requested(); ++i) {
+        const Glide glide(seen.positions, simulation_->nodePositions());
+        for (int i = 1; i <= glide.pictures() && !stop.stop_requested(); ++i) {
             Frame between = seen;
             between.generation = generation_;
             between.finish = finish;
-            for (std::size_t v = 0; v < settled.size(); ++v)
-                between.positions[v] = lerp(seen.positions[v], settled[v], eased(static_cast<double>(i) / frames));
+            between.positions = glide.picture(i);
             show(std::move(between));
-            std::this_thread::sleep_for(glideFrame);
+            std::this_thread::sleep_for(Glide::each);
         }
     }
 
