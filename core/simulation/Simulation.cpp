@@ -139,6 +139,11 @@ void Simulation::planSubsteps() {
     else planLevels(corrected);
     if (!grips_->empty() && askedSubsteps() == 0) substeps_ = std::max(substeps_, handSubsteps);
     if (sewing) substeps_ = std::min(substeps_, dressing.sewingSubsteps);
+    if (const int asked = scene_.settings.substeps; !hangsBy_.empty() && asked > substeps_)
+        plan_.leaveOut("substeps",
+                       fmt::format("{} of the {} that the scene asks for suffice: inertia keeps stiff what it "
+                                   "hangs by",
+                                   substeps_, asked));
 }
 
 /// How many substeps keep its band stiff is what a scene asks for; inertia does it as well.

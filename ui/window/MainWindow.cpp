@@ -254,7 +254,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 void MainWindow::keyPressEvent(QKeyEvent* event) {
     const QString why = actions_.whyNot(QKeySequence(event->keyCombination()));
     if (why.isEmpty()) QMainWindow::keyPressEvent(event);
-    else status_->tell(why, false);
+    else status_->hint(why);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -54,14 +54,29 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     showFrame(nullptr, false);
     fade_.setSingleShot(true);
     fade_.setInterval(std::chrono::seconds(12));
-    connect(&fade_, &QTimer::timeout, this, [this] { tell({}, false); });
+    connect(&fade_, &QTimer::timeout, this, &StatusLine::fade);
 }
 
 void StatusLine::tell(const QString& message, bool isProblem) {
-    message_->show(message);
-    message_->setStyleSheet(isProblem ? QStringLiteral("color: #b02a2a;") : QString());
-    if (isProblem || message.isEmpty()) fade_.stop();
+    standing_ = {message, isProblem};
+    present(standing_);
+}
+
+void StatusLine::hint(const QString& message) {
+    if (!standing_.isProblem) standing_ = {};
+    present({message, false});
+}
+
+void StatusLine::present(const Message& message) {
+    message_->show(message.text);
+    message_->setStyleSheet(message.isProblem ? QStringLiteral("color: #b02a2a;") : QString());
+    if (message.isProblem || message.text.isEmpty()) fade_.stop();
     else fade_.start();
+}
+
+void StatusLine::fade() {
+    if (!standing_.isProblem) standing_ = {};
+    present(standing_);
 }
 
 void StatusLine::showPointer(Vec2 position) {

@@ -26,12 +26,22 @@ public:
 
     /// Problems stay until the next message, others go after a while.
     void tell(const QString& message, bool isProblem);
+    /// Of what was just tried; a problem that stands is seen again after a while.
+    void hint(const QString& message);
     void showPointer(Vec2 position);
     void showMethod(const QString& name); ///< of another than the usual; empty = the usual
     void showFrame(const simulation::Frame* frame, bool playing);
 
 private:
-    QTimer fade_;
+    struct Message {
+        QString text;
+        bool isProblem = false;
+    };
+    void present(const Message& message);
+    void fade();
+
+    QTimer fade_{this};
+    Message standing_;
     ElidedLabel* message_;
     QLabel *pointer_, *state_, *method_, *time_, *rate_, *particles_, *gap_;
 };
