@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/ErrorTimePlot.h"
 
+#include "core/study/PlotLabels.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +16,9 @@ namespace {
 /// Told apart on white, also by most who see few colours. Black is the front's.
 constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
                              "#56b4e9", "#7b3294", "#8c510a", "#9a9a00", "#707070"};
+
+/// Of the axes' frame in the smaller of both pictures, beside a key as wide as it mostly is [px].
+constexpr Vec2 graphSize{520, 440};
 
 /// As gnuplot reads it between single quotes.
 std::string quoted(const std::string& text) {
@@ -44,16 +49,14 @@ void appendCurves(std::string& text, const ErrorTimePlot& plot) {
             "  $curve{} using 1:2 with linespoints linecolor rgb '{}' pointtype {} dashtype {} linewidth 1.5 "
             "title {}, \\\n",
             i, colours[colour % colours.size()], colour + 4, curve.dashed ? 2 : 1, quoted(curve.title));
-        if (!plot.pointLabels.empty())
-            fmt::format_to(out,
-                           "  $curve{} using 1:2:(sprintf('{}', $3)) with labels offset 0,0.8 font ',9' notitle, \\\n",
-                           i, plot.pointLabels);
         ++i;
     }
 }
 
 struct AxisRange {
     double low = 0, high = 0;
+
+    [[nodiscard]] double shareOf(double value) const { return std::log(value / low) / std::log(high / low); }
 };
 
 /// From a little below the least to a little above the largest.
@@ -81,9 +84,30 @@ void appendNarrowAxis(std::string& text, char axis, const AxisRange& range) {
                         range.low, range.high);
 }
 
+/// The label of each point, where it covers neither a point nor another label.
+void appendLabels(std::string& text, const ErrorTimePlot& plot, const AxisRange& costs, const AxisRange& errors) {
+    std::vector<PlotCurve::Point> points;
+    for (const PlotCurve& curve : plot.curves) points.insert(points.end(), curve.points.begin(), curve.points.end());
+    std::erase_if(points,
+                  [](const PlotCurve::Point& point) { return point.cost <= 0 || point.error <= 0; }); // no place
+    std::vector<PointLabel> labels;
+    for (const PlotCurve::Point& point : points)
+        labels.push_back({{graphSize.x * costs.shareOf(point.cost), graphSize.y * errors.shareOf(point.error)},
+                          fmt::format("{:g}", point.label)});
+    const auto places = placedLabels(labels);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        if (places[i])
+            text += fmt::format("set label '{}' at {:.6g},{:.6g} center offset graph {:.4f},{:.4f} font ',9' front\n",
+                                labels[i].text, points[i].cost, points[i].error, places[i]->x / graphSize.x,
+                                places[i]->y / graphSize.y);
+}
+
 void appendNarrowAxes(std::string& text, const ErrorTimePlot& plot) {
-    appendNarrowAxis(text, 'x', rangeOf(plot, &PlotCurve::Point::cost, 0));
-    appendNarrowAxis(text, 'y', rangeOf(plot, &PlotCurve::Point::error, plot.band));
+    const AxisRange costs = rangeOf(plot, &PlotCurve::Point::cost, 0),
+                    errors = rangeOf(plot, &PlotCurve::Point::error, plot.band);
+    appendNarrowAxis(text, 'x', costs);
+    appendNarrowAxis(text, 'y', errors);
+    appendLabels(text, plot, costs, errors);
 }
 
 } // namespace

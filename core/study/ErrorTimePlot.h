@@ -11,7 +11,7 @@ namespace toile::study {
 /// Runs that belong together, in the order in which they are joined by a line.
 struct PlotCurve {
     struct Point {
-        double cost = 0, error = 0, label = 0; ///< label: step or spacing, in the data only unless it is asked for
+        double cost = 0, error = 0, label = 0; ///< label: step or spacing, in the data only where the axes are long
     };
     std::string title;
     std::vector<Point> points;
@@ -24,9 +24,9 @@ struct ErrorTimePlot {
     std::string title, costLabel, errorLabel;
     std::vector<PlotCurve> curves;
     std::vector<CostError> front;
-    double band = 0;           ///< grey up to this error: nothing below it is told apart
-    std::string pointLabels{}; ///< printf format of labels beside the points; empty = none
-    bool narrow = false;       ///< a decade or two: tics at 1, 2 and 5, and the axes end near the points
+    double band = 0; ///< grey up to this error: nothing below it is told apart
+    bool narrow =
+        false; ///< a decade or two: tics at 1, 2 and 5, axes that end near the points, and labels beside these
 };
 
 /// A gnuplot script that draws it as `file`.svg and `file`.png.

@@ -214,7 +214,6 @@ std::string gnuplotScript(const GarmentAccuracy& study, const std::string& file)
                        .costLabel = "CPU time of the drape, s",
                        .errorLabel = "error of the named quantities, in floors",
                        .band = study.reference.band,
-                       .pointLabels = "%g",
                        .narrow = true};
     std::map<std::string, int> colours;
     std::map<std::string, std::size_t> curves;

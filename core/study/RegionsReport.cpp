@@ -112,7 +112,6 @@ std::string gnuplotScript(const RegionsStudy& study, const std::string& name, co
                        .errorLabel = "rms distance to the reference, mm",
                        .curves = {{.title = "uniform"}},
                        .band = 1e3 * study.floor,
-                       .pointLabels = "%g",
                        .narrow = true};
     std::vector<CostError> points;
     for (const LayoutResult& layout : study.layouts) {
