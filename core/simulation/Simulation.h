@@ -87,6 +87,8 @@ inline constexpr dynamics::StaticSettings finishing{.maximumIterations = 600};
 /// When a seam becomes one row of particles (docs/physics/seams.md).
 struct MergeRule {
     double gap = 0.5e-3;        ///< largest of all pairs [m]
+    double lateGap = 2e-3;      ///< of a seam that layers beside it hold open when it should long have closed [m]
+    double late = 1.0;          ///< so long after its ramp ended [s]
     double relativeSpeed = 0.1; ///< largest of all pairs [m/s]
 };
 
@@ -272,7 +274,9 @@ private:
     [[nodiscard]] bool givenUp(std::size_t seam) const;
     [[nodiscard]] bool givenUp(const TackState& tack) const;
     /// What began to close then, over such a gap, should be closed by now.
-    [[nodiscard]] bool isOver(double start, double startGap) const;
+    /// Whether the ramp of a seam or tack ended so long ago [s].
+    [[nodiscard]] bool isOver(double start, double startGap, double since) const;
+    [[nodiscard]] double startGapOf(std::size_t seam) const; ///< the largest of its pairs, when it began to close [m]
     [[nodiscard]] std::size_t closingTacks() const;
     [[nodiscard]] bool hasClosed(const TackState& tack) const;
     [[nodiscard]] bool closeReadyTacks();

@@ -50,18 +50,22 @@ std::vector<std::size_t> Simulation::closingSeams() const {
     return closing;
 }
 
-bool Simulation::isOver(double start, double startGap) const {
+bool Simulation::isOver(double start, double startGap, double since) const {
     const double closing = SeamClosing::durationOf(startGap, {.duration = scene_.settings.seamTime});
-    return start >= 0 && state_.time > start + closing + patience;
+    return start >= 0 && state_.time > start + closing + since;
+}
+
+double Simulation::startGapOf(std::size_t seam) const {
+    const std::vector<double>& gaps = seamGaps_[seam];
+    return gaps.empty() ? 0 : std::ranges::max(gaps);
 }
 
 bool Simulation::givenUp(std::size_t seam) const {
-    const std::vector<double>& gaps = seamGaps_[seam];
-    return isOver(seamStart_[seam], gaps.empty() ? 0 : std::ranges::max(gaps));
+    return isOver(seamStart_[seam], startGapOf(seam), patience);
 }
 
 bool Simulation::givenUp(const TackState& tack) const {
-    return isOver(tack.start, tack.startGap);
+    return isOver(tack.start, tack.startGap, patience);
 }
 
 std::size_t Simulation::closingTacks() const {
@@ -101,9 +105,11 @@ void Simulation::startDue() {
 }
 
 bool Simulation::mayMerge(std::size_t seam) const {
+    const bool isLate = isOver(seamStart_[seam], startGapOf(seam), mergeRule.late);
+    const double gap = isLate ? mergeRule.lateGap : mergeRule.gap;
     return std::ranges::all_of(garment_->mesh->seams[seam].pairs, [&](const auto& pair) {
         const int a = garment_->particles.particle(pair[0]), b = garment_->particles.particle(pair[1]);
-        return geometry::distance(state_.positions[a], state_.positions[b]) <= mergeRule.gap &&
+        return geometry::distance(state_.positions[a], state_.positions[b]) <= gap &&
                geometry::distance(state_.velocities[a], state_.velocities[b]) <= mergeRule.relativeSpeed;
     });
 }

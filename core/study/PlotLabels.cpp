@@ -20,7 +20,18 @@ bool overlap(const Rectangle& a, const Rectangle& b) {
 /// The nearest first, of those as near the ones that are read as the point's own.
 std::array<Vec2, 12> placesBeside(Vec2 half, double marker) {
     const double x = half.x + marker, y = half.y + marker, far = y + 2 * half.y;
-    return {{{0, y}, {0, -y}, {x, 0}, {-x, 0}, {x, y}, {-x, y}, {x, -y}, {-x, -y}, {0, far}, {0, -far}, {x, far}, {-x, far}}};
+    return {{{0, y},
+             {0, -y},
+             {x, 0},
+             {-x, 0},
+             {x, y},
+             {-x, y},
+             {x, -y},
+             {-x, -y},
+             {0, far},
+             {0, -far},
+             {x, far},
+             {-x, far}}};
 }
 
 } // namespace

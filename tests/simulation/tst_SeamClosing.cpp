@@ -7,6 +7,7 @@
 #include <QTest>
 #include <array>
 #include <cmath>
+#include <limits>
 
 using namespace toile;
 using namespace toile::simulation;
@@ -47,6 +48,8 @@ private slots:
     void seamsOfAHigherOrderWait();
     void aSeamIsNotGivenUpWhileItHasALongWayToGo();
     void aSeamMergesThoughOneSideAloneRestsOnTheBody();
+    void whatLayersHoldALittleOpenMergesLate_data();
+    void whatLayersHoldALittleOpenMergesLate();
     void sewingIsBitwiseRepeatable();
 };
 
@@ -138,6 +141,41 @@ void tst_SeamClosing::aSeamMergesThoughOneSideAloneRestsOnTheBody() {
     while (!simulation->allSeamsMerged() && simulation->state().time < 2) QVERIFY(simulation->advance());
     QVERIFY2(simulation->allSeamsMerged(), qPrintable(QString("%1 mm").arg(1000 * simulation->gapOf(0).maximum)));
     QVERIFY(simulation->seams()[0].gapAtMerge <= 0.5e-3);
+}
+
+void tst_SeamClosing::whatLayersHoldALittleOpenMergesLate_data() {
+    QTest::addColumn<double>("gap");
+    QTest::addColumn<double>("mergesAfter"); // its ramp [s]
+    QTest::newRow("0.4 mm") << 0.4e-3 << 0.0;
+    QTest::newRow("1.5 mm") << 1.5e-3 << 1.0;
+    QTest::newRow("2.5 mm") << 2.5e-3 << std::numeric_limits<double>::infinity();
+}
+
+/// Pins hold the ends of the seam apart.
+void tst_SeamClosing::whatLayersHoldALittleOpenMergesLate() {
+    QFETCH(double, gap);
+    QFETCH(double, mergesAfter);
+    Scene scene = twoSquares();
+    scene.settings.gravity = {};
+    const double apart = simulationOf(scene).gapOf(0).maximum;
+    pattern::Piece right = *scene.pattern.pieces[1];
+    right.placement->transform.origin.x -= apart - gap;
+    scene.pattern.pieces[1] = right;
+    for (const auto& [piece, vertex] : {std::pair{"left", "v1"}, {"left", "v2"}, {"right", "v0"}, {"right", "v3"}})
+        scene.pattern.pins.push_back(
+            {pattern::PinId(std::string(piece) + vertex), pattern::PieceId(piece), pattern::VertexId(vertex)});
+    Simulation simulation = simulationOf(scene);
+    const double ramp = SeamClosing::durationOf(gap, {.duration = scene.settings.seamTime}), frame = 1.0 / 60;
+    const auto go = [&](double until) {
+        while (simulation.state().time < until - frame / 2)
+            if (!simulation.advance()) qFatal("a step failed");
+    };
+    if (mergesAfter > 0) go(ramp + std::min(mergesAfter, 4.0) - frame);
+    QVERIFY(!simulation.allSeamsMerged());
+    go(ramp + std::min(mergesAfter, 4.0) + 3 * frame);
+    QCOMPARE(simulation.allSeamsMerged(), std::isfinite(mergesAfter));
+    if (simulation.allSeamsMerged()) QVERIFY(std::abs(simulation.seams()[0].gapAtMerge - gap) < 1e-6);
+    else QVERIFY(simulation.phase() != Phase::sewing); // it was given up
 }
 
 void tst_SeamClosing::sewingIsBitwiseRepeatable() {
