@@ -25,8 +25,8 @@ struct ErrorTimePlot {
     std::vector<PlotCurve> curves;
     std::vector<CostError> front;
     double band = 0; ///< grey up to this error: nothing below it is told apart
-    bool narrow =
-        false; ///< a decade or two: tics at 1, 2 and 5, axes that end near the points, and labels beside these
+    /// A decade or two: tics at 1, 2 and 5, axes that end near the points, and labels beside these.
+    bool narrow = false;
 };
 
 /// A gnuplot script that draws it as `file`.svg and `file`.png.

@@ -48,8 +48,8 @@ private slots:
     void seamsOfAHigherOrderWait();
     void aSeamIsNotGivenUpWhileItHasALongWayToGo();
     void aSeamMergesThoughOneSideAloneRestsOnTheBody();
-    void whatLayersHoldALittleOpenMergesLate_data();
-    void whatLayersHoldALittleOpenMergesLate();
+    void whatIsHeldALittleOpenMergesLate_data();
+    void whatIsHeldALittleOpenMergesLate();
     void sewingIsBitwiseRepeatable();
 };
 
@@ -143,7 +143,7 @@ void tst_SeamClosing::aSeamMergesThoughOneSideAloneRestsOnTheBody() {
     QVERIFY(simulation->seams()[0].gapAtMerge <= 0.5e-3);
 }
 
-void tst_SeamClosing::whatLayersHoldALittleOpenMergesLate_data() {
+void tst_SeamClosing::whatIsHeldALittleOpenMergesLate_data() {
     QTest::addColumn<double>("gap");
     QTest::addColumn<double>("mergesAfter"); // its ramp [s]
     QTest::newRow("0.4 mm") << 0.4e-3 << 0.0;
@@ -152,7 +152,7 @@ void tst_SeamClosing::whatLayersHoldALittleOpenMergesLate_data() {
 }
 
 /// Pins hold the ends of the seam apart.
-void tst_SeamClosing::whatLayersHoldALittleOpenMergesLate() {
+void tst_SeamClosing::whatIsHeldALittleOpenMergesLate() {
     QFETCH(double, gap);
     QFETCH(double, mergesAfter);
     Scene scene = twoSquares();

@@ -95,6 +95,7 @@ class tst_Shirt : public QObject {
     Q_OBJECT
 private slots:
     void isWornWithRightOverLeftAndItsCollarTurnedDown();
+    void isWornOnACoarserMeshAsWell();
     void noFrameShowsClothInTheBodyOrInItself();
     void liftedArmsDoNotComeThroughWhatIsCrumpledOnThem();
 };
@@ -131,6 +132,19 @@ void tst_Shirt::isWornWithRightOverLeftAndItsCollarTurnedDown() {
         const Vec3 way = wayBetween(button, simulation.garment().particles, simulation.state().positions);
         QVERIFY2(dot(way, rightSideAt(button.ends[0], simulation)) > 0, button.name.c_str());
     }
+}
+
+/// Where the layers beside its collar's seam hold it open by some tenths of a millimetre.
+void tst_Shirt::isWornOnACoarserMeshAsWell() {
+    const auto document = samples::shirt(blouseWearer().measurements, blouseWearer().body);
+    QVERIFY(document);
+    auto simulation = Simulation::create({document->pattern, Shared<body::Body>(blouseWearer().body), document->scene},
+                                         {.spacing = 0.028});
+    QVERIFY(simulation);
+    const SewReport report = sewn(*simulation);
+    QVERIFY2(report.worn->worn, reasonsOf(report).c_str());
+    QCOMPARE(report.contact.selfIntersections, 0);
+    QVERIFY(std::ranges::any_of(report.seams, [](const auto& seam) { return seam.state.gapAtMerge > 0.5e-3; }));
 }
 
 /// Not while it is sewn either, but for the sides of seams that close. Its collar's seam is the last, after 1.2 s.
