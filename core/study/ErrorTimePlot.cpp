@@ -93,7 +93,7 @@ void appendLabels(std::string& text, const ErrorTimePlot& plot, const AxisRange&
     std::vector<PointLabel> labels;
     for (const PlotCurve::Point& point : points)
         labels.push_back({{graphSize.x * costs.shareOf(point.cost), graphSize.y * errors.shareOf(point.error)},
-                          fmt::format("{:g}", point.label)});
+                          fmt::format("{:.3g}", point.label)});
     const auto places = placedLabels(labels);
     for (std::size_t i = 0; i < labels.size(); ++i)
         if (places[i])
