@@ -41,8 +41,9 @@ if(TOILE_SANITIZE)
     target_compile_options(toile_options INTERFACE -fsanitize=${TOILE_SANITIZE} -fno-omit-frame-pointer)
     target_link_options(toile_options INTERFACE -fsanitize=${TOILE_SANITIZE})
     if(TOILE_SANITIZE MATCHES "undefined")
-        # A null pointer that is used ends in the address sanitizer; these two checks take two fifths of the build.
+        # A pointer that is null, or has wrapped round the end of memory, ends in the address sanitizer when it is used.
+        # The checks of the first take two fifths of the build, that of the second a quarter of a test's time.
         target_compile_options(toile_options INTERFACE -fno-sanitize-recover=undefined
-                               -fno-sanitize=null,alignment)
+                               -fno-sanitize=null,alignment,pointer-overflow)
     endif()
 endif()

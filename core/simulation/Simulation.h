@@ -259,6 +259,7 @@ private:
     [[nodiscard]] bool levelsMayHelp() const;
     void noteRest(const Speeds& speeds, double duration);
     [[nodiscard]] bool rests() const;
+    [[nodiscard]] bool fallsAsleep() const;
     [[nodiscard]] double movedLast() const; ///< when it did not rest [s]
     [[nodiscard]] double settledBy() const; ///< when what was sewn should rest [s]
     [[nodiscard]] Result<dynamics::StepReport> moveCloth(double duration, std::stop_token stop);

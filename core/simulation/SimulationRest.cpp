@@ -25,8 +25,16 @@ double Simulation::damping() const {
     const bool isLeftAlone = grips_->empty() && !motion_;
     const double held = grips_->empty() ? 0 : handDamping;
     const bool isSlow = restingTime_ >= (goesOnAsItLay_ ? longEnough : slowEnough);
-    const bool isSettling = phase_ == Phase::shaking || (settles_ && isLeftAlone && !isSlow);
+    const bool isSettling = phase_ == Phase::shaking || (isLeftAlone && ((settles_ && !isSlow) || fallsAsleep()));
     return std::max({scene_.settings.damping, held, isSettling ? dressing.settlingDamping : 0});
+}
+
+/// What was put on rests by the scene's damping, and the swing that is left of it is of no use to anybody: the sooner
+/// it lies still, the sooner it sleeps. What slides is not kept from it. Accurate methods show how it goes on by
+/// itself.
+bool Simulation::fallsAsleep() const {
+    const bool wasPutOn = !seams_.empty() && !scene_.paper;
+    return rests() && wasPutOn && !scene_.settings.air && drapingMethod_ == dynamics::Method::xpbd;
 }
 
 /// The plan stands. In a new one coarse levels and layers have forgotten what they bore, and cloth that hardly moves is

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/Checkpoint.h"
 #include "tests/Suite.h"
 #include "tests/simulation/Sewn.h"
 #include "tests/simulation/SmallScenes.h"
@@ -38,10 +39,24 @@ double speedOf(const Simulation& simulation) {
     return length(momentum) / all;
 }
 
+/// What rests and still moves a little, all of it alike.
+Simulation driftingAtRest(const Scene& scene, double speed, dynamics::Method method = dynamics::Method::xpbd) {
+    Simulation simulation = simulationOf(scene);
+    while (!simulation.frame().atRest) run(simulation, 1);
+    Checkpoint point = simulation.checkpoint();
+    std::ranges::fill(point.velocities, Vec3{speed, 0, 0});
+    auto drifting = Simulation::resumed(scene, {}, point);
+    if (!drifting) qFatal("%s", toString(drifting.error()).c_str());
+    drifting->drapeWith(method);
+    return std::move(*drifting);
+}
+
 /// Of cloth that falls through air as thick as the damping of what settles [m/s].
 constexpr double settlingSpeed = 9.81 / dressing.settlingDamping;
 /// And of what is let go.
 constexpr double releaseSpeed = 9.81 / dressing.releaseDamping;
+/// Of cloth that counts as resting [m/s].
+constexpr double driftSpeed = 0.004;
 /// So that the squares have coarse levels [m].
 constexpr double fineSpacing = 0.0025;
 
@@ -60,6 +75,8 @@ private slots:
     void whatIsRefinedDoesNotLeap();
     void inWindItIsNotForEver();
     void onceItHasLainItIsNot();
+    void whatRestsIsDampedUntilItSleeps();
+    void atRestByAnAccurateMethodItIsNot();
     void whatWasNotSewnIsNot();
 };
 
@@ -163,6 +180,27 @@ void tst_Settling::onceItHasLainItIsNot() {
     const double expected = before * std::exp(-scene.settings.damping);
     QVERIFY2(before > 0.1 && std::abs(speedOf(simulation) - expected) < 0.02 * expected,
              qPrintable(QString("%1, then %2 m/s").arg(before).arg(speedOf(simulation))));
+}
+
+void tst_Settling::whatRestsIsDampedUntilItSleeps() {
+    const Scene scene = twoSquares(0.05);
+    Simulation simulation = driftingAtRest(scene, driftSpeed);
+    run(simulation, 15);
+    const double substep = scene.settings.frameStep / simulation.substeps(); // damped implicitly in each
+    const double expected = driftSpeed * std::pow(1 + substep * dressing.settlingDamping, -0.25 / substep);
+    QVERIFY2(std::abs(speedOf(simulation) - expected) < 0.01 * expected,
+             qPrintable(QString::number(speedOf(simulation))));
+    run(simulation, 120);
+    QVERIFY(simulation.sleptTime() > 0);
+}
+
+void tst_Settling::atRestByAnAccurateMethodItIsNot() {
+    const Scene scene = twoSquares(0.05);
+    Simulation simulation = driftingAtRest(scene, driftSpeed, dynamics::Method::trBdf2);
+    run(simulation, 15);
+    const double expected = driftSpeed * std::exp(-0.25 * scene.settings.damping);
+    QVERIFY2(std::abs(speedOf(simulation) - expected) < 0.02 * expected,
+             qPrintable(QString::number(speedOf(simulation))));
 }
 
 void tst_Settling::whatWasNotSewnIsNot() {
