@@ -69,10 +69,10 @@ struct DressingSettings {
                                ///< otherwise fling into folds that differ left and right [1/s]
     double stiffeningTime = 0.5; ///< for which this damping goes on, as the cloth then no longer yields [s]
     double settlingDamping = 8;  ///< mass-proportional, after that while the cloth is not as slow as at rest, until it
-                                 ///< rests; of what was edited until it rests: what swings in a second hardly swings
-                                 ///< over [1/s]
-    double shakingTime = 2.0;    ///< from the last seam on, at most [s]
-    double leastShaking = 0.75;  ///< at least, for the cloth to begin to fall; then it ends when it is calm [s]
+                                ///< rests; of what was edited until it rests; and as long as it rests, until it sleeps:
+                                ///< what swings in a second hardly swings over [1/s]
+    double shakingTime = 2.0;   ///< from the last seam on, at most [s]
+    double leastShaking = 0.75; ///< at least, for the cloth to begin to fall; then it ends when it is calm [s]
     double editShakingTime =
         0.2;                 ///< of a garment that lay and was edited: friction would keep what lay where it lay [s]
     double settlingTime = 4; ///< after the longest shaking: of coarse levels, and in air of this damping; what has not
@@ -274,8 +274,7 @@ private:
     [[nodiscard]] Vec3 gravity() const { return phase_ == Phase::sewing ? Vec3{} : scene_.settings.gravity; }
     [[nodiscard]] bool givenUp(std::size_t seam) const;
     [[nodiscard]] bool givenUp(const TackState& tack) const;
-    /// What began to close then, over such a gap, should be closed by now.
-    /// Whether the ramp of a seam or tack ended so long ago [s].
+    /// Whether the ramp of what began to close then, over such a gap, ended so long ago [s, m, s].
     [[nodiscard]] bool isOver(double start, double startGap, double since) const;
     [[nodiscard]] double startGapOf(std::size_t seam) const; ///< the largest of its pairs, when it began to close [m]
     [[nodiscard]] std::size_t closingTacks() const;

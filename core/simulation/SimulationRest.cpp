@@ -29,9 +29,8 @@ double Simulation::damping() const {
     return std::max({scene_.settings.damping, held, isSettling ? dressing.settlingDamping : 0});
 }
 
-/// What was put on rests by the scene's damping, and the swing that is left of it is of no use to anybody: the sooner
-/// it lies still, the sooner it sleeps. What slides is not kept from it. Accurate methods show how it goes on by
-/// itself.
+/// Whether what was put on rests is judged by the scene's damping. The swing that is left then is of no use to anybody:
+/// the sooner it lies still, the sooner it sleeps. What slides goes on. Accurate methods show how it moves by itself.
 bool Simulation::fallsAsleep() const {
     const bool wasPutOn = !seams_.empty() && !scene_.paper;
     return rests() && wasPutOn && !scene_.settings.air && drapingMethod_ == dynamics::Method::xpbd;

@@ -51,6 +51,20 @@ Simulation driftingAtRest(const Scene& scene, double speed, dynamics::Method met
     return std::move(*drifting);
 }
 
+/// What rested, for so long [s] after something has begun to pull it steadily [m/s²].
+Simulation slidingFor(double seconds, double pull) {
+    Scene scene = twoSquares(0.05);
+    Simulation resting = simulationOf(scene);
+    while (!resting.frame().atRest) run(resting, 1);
+    scene.settings.gravity = {0, -pull, 0};
+    Checkpoint point = resting.checkpoint();
+    point.scene = fingerprintOf(scene, resting.garment());
+    auto sliding = Simulation::resumed(scene, {}, point);
+    if (!sliding) qFatal("%s", toString(sliding.error()).c_str());
+    run(*sliding, static_cast<int>(60 * seconds));
+    return std::move(*sliding);
+}
+
 /// Of cloth that falls through air as thick as the damping of what settles [m/s].
 constexpr double settlingSpeed = 9.81 / dressing.settlingDamping;
 /// And of what is let go.
@@ -76,6 +90,8 @@ private slots:
     void inWindItIsNotForEver();
     void onceItHasLainItIsNot();
     void whatRestsIsDampedUntilItSleeps();
+    void whatSlidesDoesNotSleep();
+    void whatSlidesFasterThanRestIsNotDamped();
     void atRestByAnAccurateMethodItIsNot();
     void whatWasNotSewnIsNot();
 };
@@ -192,6 +208,24 @@ void tst_Settling::whatRestsIsDampedUntilItSleeps() {
              qPrintable(QString::number(speedOf(simulation))));
     run(simulation, 120);
     QVERIFY(simulation.sleptTime() > 0);
+}
+
+/// By a thousandth of its weight, as through friction that almost holds it.
+void tst_Settling::whatSlidesDoesNotSleep() {
+    const double pull = 0.001 * 9.81, expected = pull / dressing.settlingDamping;
+    Simulation simulation = slidingFor(10, pull);
+    QVERIFY(simulation.frame().atRest);
+    QCOMPARE(simulation.sleptTime(), 0.0);
+    QVERIFY2(std::abs(speedOf(simulation) - expected) < 0.01 * expected,
+             qPrintable(QString::number(speedOf(simulation))));
+}
+
+void tst_Settling::whatSlidesFasterThanRestIsNotDamped() {
+    const double pull = 0.005 * 9.81;
+    Simulation simulation = slidingFor(10, pull);
+    QVERIFY(!simulation.frame().atRest);
+    QVERIFY2(speedOf(simulation) > 5 * pull / dressing.settlingDamping,
+             qPrintable(QString::number(speedOf(simulation))));
 }
 
 void tst_Settling::atRestByAnAccurateMethodItIsNot() {
