@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Sewn.h"
 #include "SmallScenes.h"
 #include "core/simulation/SeamClosing.h"
 #include "core/simulation/Sew.h"
