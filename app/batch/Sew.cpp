@@ -6,6 +6,8 @@
 #include "app/batch/Outputs.h"
 #include "app/batch/Pictures.h"
 #include "app/batch/SewBegin.h"
+#include "app/batch/SewSummary.h"
+#include "app/batch/StudyFolder.h"
 #include "core/base/AtomicFile.h"
 #include "core/dynamics/Method.h"
 #include "core/io/CheckpointFile.h"
@@ -17,12 +19,8 @@
 #include "core/simulation/Inspect.h"
 #include "core/simulation/Wearing.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <numbers>
 
 namespace toile::batch {
 namespace {
@@ -72,7 +70,9 @@ struct Outcome {
 
 Json reportJson(const SewOptions& options, const OpenedScene& opened, const Outcome& outcome) {
     const int threads = Team(options.threads).members();
+    const study::Circumstances circumstances = circumstancesOf({}); // after the run: to calibrate takes memory
     Json json;
+    json.set("program", circumstances.program).set("machine", machineOf(circumstances));
     json.set("document", options.file).set("avatar", opened.avatar.empty() ? Json() : Json(opened.avatar));
     json.set("method", options.paper ? "paper" : options.method)
         .set("step", opened.scene.settings.frameStep)
@@ -81,78 +81,6 @@ Json reportJson(const SewOptions& options, const OpenedScene& opened, const Outc
     for (const auto& [key, value] : *result.asObject()) json.set(key, value);
     json.set("motion", outcome.wearing ? simulation::toJson(*outcome.wearing) : Json());
     return json.set("frames", outcome.frames ? simulation::toJson(*outcome.frames) : Json());
-}
-
-/// "sewing by xpbd, draping by rk4 (stable in steps of up to 0.1 ms, of which it took 8000)"
-std::string methodsOf(const simulation::SewReport& report) {
-    std::string text;
-    for (const simulation::PhaseRun& phase : report.phases) {
-        text += fmt::format("{}{} by {}", text.empty() ? "" : ", ", nameOf(phase.phase), phase.method);
-        if (std::isfinite(phase.steps.limit))
-            text += fmt::format(" (stable in steps of up to {:.3g} ms, of which it took {})", 1000 * phase.steps.limit,
-                                phase.steps.parts);
-    }
-    return text;
-}
-
-/// "left out: wind, pressure, frame steps (which saved some 0.5 s)"
-void printLeftOut(const std::vector<simulation::LeftOut>& leftOut) {
-    std::vector<std::string> stages;
-    for (const auto& [stage, why, saved] : leftOut)
-        stages.push_back(saved > 0 ? fmt::format("{} (which saved some {:.1f} s)", stage, saved) : stage);
-    if (!stages.empty()) fmt::print("left out: {}\n", fmt::join(stages, ", "));
-}
-
-double degrees(double radians) {
-    return radians * 180 / std::numbers::pi;
-}
-
-void printSummary(const simulation::SewReport& report, const SewOptions& options) {
-    std::size_t closed = 0;
-    for (const simulation::SeamResult& seam : report.seams) closed += seam.state.merged;
-    const auto tacked = std::ranges::count(report.tacks, true, &simulation::TackResult::closed);
-    fmt::print("{} particles, {} of {} seams closed, {}{:.2f} s simulated in {:.1f} s; {}{}\n", report.particles,
-               closed, report.seams.size(),
-               report.tacks.empty() ? "" : fmt::format("{} of {} tacks, ", tacked, report.tacks.size()),
-               report.simulatedSeconds, report.wallSeconds,
-               report.restWallSeconds && report.ending == "at rest"
-                   ? fmt::format("{} after {:.1f} s", report.ending, *report.restWallSeconds)
-                   : report.ending,
-               report.residual ? fmt::format(", residual {:.1e}", *report.residual) : "");
-    if (report.coarse)
-        fmt::print("of it on its own mesh, of {} particles: {:.2f} s simulated in {:.1f} s; {}\n",
-                   report.coarse->particles, report.coarse->simulatedSeconds, report.coarse->wallSeconds,
-                   report.coarse->ending);
-    if (options.paper || options.method != dynamics::nameOf(dynamics::Method::xpbd))
-        fmt::print("{}\n", methodsOf(report));
-    for (const simulation::FoldReport& fold : report.folds)
-        fmt::print("piece \"{}\", fold \"{}\": pressed to {:.0f}°, lies at {:.0f}°, from {:.0f}° to {:.0f}°\n",
-                   oneLine(fold.piece), oneLine(fold.name), degrees(fold.restAngle), degrees(fold.mean),
-                   degrees(fold.least), degrees(fold.most));
-    if (report.contact.bodyClearanceMinimum)
-        fmt::print("{:.1f} mm from the body at the nearest, {} intersections with the body, {} with itself\n",
-                   1000 * *report.contact.bodyClearanceMinimum, report.contact.bodyIntersections,
-                   report.contact.selfIntersections);
-    if (report.worn) {
-        fmt::print("{}\n", report.worn->worn ? "worn" : "not worn:");
-        for (const std::string& why : report.worn->why) fmt::print("  {}\n", oneLine(why));
-    }
-    printLeftOut(report.leftOut);
-    printWarnings(report.warnings);
-}
-
-void printWearing(const simulation::WearingReport& wearing) {
-    const simulation::ContactSummary& contact = wearing.contact;
-    fmt::print("the body moved for {:.2f} s, at {:.1f} m/s at most: ", wearing.seconds, wearing.bodySpeed);
-    if (contact.bodyClearanceMinimum)
-        fmt::print("{:.1f} mm from it at the nearest, ", 1000 * *contact.bodyClearanceMinimum);
-    fmt::print("{} intersections with it, {} of the cloth with itself; the hem rose by {:.0f} mm; {}{}\n",
-               contact.bodyIntersections, contact.selfIntersections, 1000 * wearing.hemRise, wearing.after.ending,
-               wearing.after.residual ? fmt::format(", residual {:.1e}", *wearing.after.residual) : "");
-    constexpr double worthTelling = 1e-4; // [m]
-    if (wearing.offItsPin > worthTelling)
-        fmt::print("cloth pinned to the body was held back by other cloth, by {:.1f} mm at most\n",
-                   1000 * wearing.offItsPin);
 }
 
 /// The scene's body as it stands at the end.

@@ -20,13 +20,17 @@ struct Circumstances {
 /// Mean number of busy threads on this machine in the last minute; 0 where the system does not tell.
 [[nodiscard]] double machineLoad();
 
-/// What every record of a study says of its making.
-inline void note(Json& record, const char* schema, const Circumstances& circumstances) {
+/// The machine as records name it; loadAfter is that of now.
+[[nodiscard]] inline Json machineOf(const Circumstances& circumstances) {
     Json machine;
     machine.set("processor", circumstances.processor).set("cores", circumstances.cores);
     machine.set("calibrationSeconds", circumstances.calibration);
-    machine.set("loadBefore", circumstances.load).set("loadAfter", machineLoad());
-    record.set("schema", schema).set("program", circumstances.program).set("machine", std::move(machine));
+    return machine.set("loadBefore", circumstances.load).set("loadAfter", machineLoad());
+}
+
+/// What every record of a study says of its making.
+inline void note(Json& record, const char* schema, const Circumstances& circumstances) {
+    record.set("schema", schema).set("program", circumstances.program).set("machine", machineOf(circumstances));
 }
 
 } // namespace toile::study
