@@ -11,8 +11,11 @@
 namespace toile::simulation {
 namespace {
 
-constexpr double bandWidth = 0.04;    ///< about what a waistband is wide [m]
-constexpr std::size_t fewestRims = 3; ///< of a garment with legs
+constexpr double bandWidth = 0.04;      ///< about what a waistband is wide [m]
+constexpr std::size_t fewestRims = 2;   ///< of a garment: what it hangs by, and a hem
+constexpr std::size_t rimsWithLegs = 3; ///< and what hangs in no free folds
+constexpr int mostOfFreeFolds = 135;    ///< full substeps, seams open; of many more levels leave few, and folds that
+                                        ///< tremble, or that statics does not find the equilibrium of
 
 double heightOf(const Opening& rim, std::span<const Vec3> positions) {
     double sum = 0;
@@ -67,6 +70,7 @@ std::vector<int> nodesItHangsBy(const Simulation& coarse, const Simulation& fine
     const std::span<const Vec3> positions = coarse.state().positions;
     const std::vector<Opening> rims = openingsOf(particleTriangles(coarse.garment()));
     if (rims.size() < fewestRims) return {};
+    if (rims.size() < rimsWithLegs && fine.fullSubsteps() > mostOfFreeFolds) return {};
     const auto upper = std::ranges::max_element(rims, {}, [&](const Opening& rim) { return heightOf(rim, positions); });
     std::vector<int> nodes;
     const std::vector<Vec3> places = fine.nodePositions();

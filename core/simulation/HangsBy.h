@@ -12,8 +12,8 @@ namespace toile::simulation {
 [[nodiscard]] bool hangsOnItsWaistband(const Simulation& simulation);
 
 /// The nodes of a finer garment that lie where its uppermost cloth lay on a coarser mesh: 40 mm of it, measured from
-/// the rim. Empty for a garment that has shoulders to hang on, for one without legs, which falls in folds to its only
-/// hem, and without a body.
+/// the rim. Empty for a garment that has shoulders to hang on, for a cloth whose only rim is its hem, and without a
+/// body; and for one without legs on so fine a mesh that few substeps leave its free folds too soft.
 [[nodiscard]] std::vector<int> nodesItHangsBy(const Simulation& coarse, const Simulation& fine);
 
 /// Mass scaling: how many times its mass each particle's inertia has to be, at least 1, for position-based substeps of

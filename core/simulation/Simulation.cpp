@@ -168,7 +168,6 @@ void Simulation::hangBy(std::vector<int> nodes) {
     rebuildPlan();
 }
 
-/// Those of a cloth that no level corrects.
 int Simulation::fullSubsteps() const {
     return dynamics::substepsFor(scene_.settings.frameStep, dynamics::springsOnLongestLine(garment_->model),
                                  loadOf(scene_));

@@ -186,6 +186,7 @@ public:
     /// Nothing moves any more but settle().
     [[nodiscard]] bool awaitsStatics() const { return !drapingMethod_ && phase_ == Phase::draping; }
     [[nodiscard]] int substeps() const { return substeps_; }
+    [[nodiscard]] int fullSubsteps() const; ///< that position-based steps of this cloth need if no level corrects them
     [[nodiscard]] int steps() const { return steps_; }
 
     [[nodiscard]] bool allSeamsMerged() const;
@@ -250,7 +251,6 @@ private:
     [[nodiscard]] Team* teamWorthWaking() const; ///< null: the cloth is too small to share
     [[nodiscard]] Team* teamOfStep() const;      ///< also null where sharing does not pay
     [[nodiscard]] Result<void> drawTaut(std::stop_token stop);
-    [[nodiscard]] int fullSubsteps() const;
     [[nodiscard]] int askedSubsteps() const; ///< by the scene; 0 = from the mesh
     [[nodiscard]] LevelPlan levelPlan() const;
     [[nodiscard]] std::vector<double> inertiaIn(int substeps) const; ///< mass scaling; empty = none
