@@ -30,6 +30,8 @@ private slots:
     void trousersHangByTheirWaistband();
     void whatIsMadeFinerKeepsItsHold_data();
     void whatIsMadeFinerKeepsItsHold();
+    void freeFoldsOfAVeryFineMeshAreNotLeftSoft_data();
+    void freeFoldsOfAVeryFineMeshAreNotLeftSoft();
     void whatMadeFinerHangsByIsKept();
     void whatMovesHasItsOwnMass();
 };
@@ -149,6 +151,22 @@ void tst_MadeFiner::whatIsMadeFinerKeepsItsHold() {
                  softBy = heightOfBand(soft.coarse) - heightOfBand(soft.fine);
     QVERIFY2(std::abs(heldBy) < moves, qPrintable(QString("%1 mm").arg(1000 * heldBy)));
     QVERIFY2(softBy > 0.01, qPrintable(QString("%1 mm").arg(1000 * softBy)));
+}
+
+void tst_MadeFiner::freeFoldsOfAVeryFineMeshAreNotLeftSoft_data() {
+    QTest::addColumn<bool>("hasLegs");
+    QTest::newRow("trousers") << true;
+    QTest::newRow("gathered skirt") << false;
+}
+
+/// By few substeps: trousers have none.
+void tst_MadeFiner::freeFoldsOfAVeryFineMeshAreNotLeftSoft() {
+    QFETCH(bool, hasLegs);
+    const MadeFiner made = madeFiner(hasLegs ? coarseTrousers() : coarseSkirt(), StiffBand::byInertia);
+    QVERIFY(!nodesItHangsBy(made.coarse, made.fine).empty());
+    const auto veryFine = Simulation::continued(made.scene, made.coarse, {.spacing = 0.004});
+    QVERIFY(veryFine);
+    QCOMPARE(nodesItHangsBy(made.coarse, *veryFine).empty(), !hasLegs);
 }
 
 void tst_MadeFiner::whatMadeFinerHangsByIsKept() {
