@@ -26,9 +26,11 @@ double oscillatorAt(double time) {
     return 1 + 0.1 * std::cos(10 * time);
 }
 
+/// Of which no time is noisy, whatever else the machine does.
 study::CaseResult studiedCase(const std::vector<Setup>& setups) {
     auto result = study::studied({"flap", {.cells = 4}, setups}, 2);
     if (!result) qFatal("%s", toString(result.error()).c_str());
+    for (auto& run : result->runs) run.noisy = false;
     return std::move(*result);
 }
 
@@ -42,6 +44,7 @@ private slots:
     void methodsShowTheirOrder_data();
     void methodsShowTheirOrder();
     void whatLiesInTheBandStandsAtItsEdge();
+    void noisyTimesAllowNoConclusion();
     void everyMethodOfAPlotHasItsOwnColour();
     void aRunThatFailsIsSaidAndTheOthersGoOn();
     void whatIsNoSceneIsSaid();
@@ -106,6 +109,15 @@ void tst_Accuracy::whatLiesInTheBandStandsAtItsEdge() {
     const std::string near = study::accuracyText({result}, here);
     QVERIFY(near.find("A millimetre is cheapest by trbdf2") != std::string::npos); // 0.3 mm is
     QVERIFY(study::gnuplotScript(result, 1).find(" 0.3 5\n") != std::string::npos);
+}
+
+void tst_Accuracy::noisyTimesAllowNoConclusion() {
+    auto result = studiedCase({{Method::trBdf2, 20}, {Method::trBdf2, 40}});
+    result.runs[1].noisy = true;
+    const std::string text = study::accuracyText({result}, here);
+    QVERIFY(text.find("No conclusion about cost") != std::string::npos);
+    QVERIFY(text.find("No method came within 1 mm.") == std::string::npos);
+    QVERIFY(text.find("A millimetre is cheapest by") == std::string::npos);
 }
 
 void tst_Accuracy::everyMethodOfAPlotHasItsOwnColour() {
