@@ -19,7 +19,7 @@ if(TOILE_HAS_GOLD)
 endif()
 
 # Presets for tests compile the files of a room ten at a time, and those of its tests, which parses headers and makes
-# templates once for all: a third of the time. What is local to a file must so have a name of its own in its room. Two
+# templates once for all: a third of the time. What is local to a file must so have a name of its own among them. Two
 # warnings take such a local thing for a header's. The release preset compiles every file alone, with all warnings.
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 10)
 add_library(toile_options INTERFACE)

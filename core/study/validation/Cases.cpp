@@ -6,7 +6,7 @@ namespace toile::study::validation {
 std::vector<Case> allCases() {
     std::vector<Case> all;
     for (const auto& theme : {elasticityCases, staticCases, bucklingCases, oscillationCases, integratorCases,
-                              contactCases, sewingCases, wrappingCases, impactCases, loopCases, drapeCases})
+                              contactCases, sewingCases, wrappingCases, impactCases, loopCases, drapeCases, skirtCases})
         for (const Case& one : theme()) all.push_back(one);
     return all;
 }

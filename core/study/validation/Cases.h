@@ -41,5 +41,6 @@ struct NotOffered {
 [[nodiscard]] std::vector<Case> impactCases();
 [[nodiscard]] std::vector<Case> loopCases();
 [[nodiscard]] std::vector<Case> drapeCases();
+[[nodiscard]] std::vector<Case> skirtCases();
 
 } // namespace toile::study::validation

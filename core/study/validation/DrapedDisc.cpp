@@ -82,6 +82,15 @@ int Drape::folds() const {
     return count;
 }
 
+Fabric drapingWeave() {
+    Fabric fabric = unequalWeave();
+    fabric.warpStiffness = fabric.weftStiffness = 800;
+    fabric.shearStiffness = 40;
+    fabric.warpBending = fabric.weftBending = 16e-6;
+    fabric.biasBending = 13e-6;
+    return fabric;
+}
+
 Drape drapeOf(Findings& found, const Disc& disc) {
     pattern::Pattern pattern;
     Fabric cloth = disc.fabric;
