@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 /// Skirts cut as rings.
 namespace toile::study::validation {
