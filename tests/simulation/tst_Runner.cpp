@@ -4,6 +4,7 @@
 #include "tests/Suite.h"
 
 #include <QTest>
+#include <algorithm>
 #include <limits>
 #include <random>
 #include <thread>
@@ -25,6 +26,7 @@ private slots:
     void aWrongSceneGivesAMessage();
     void settingsThatNoSimulationCanRunWithGiveAMessage();
     void aGarmentGoesOnAfterASceneThatCannotBeBuilt();
+    void anEditIsSeenBeforeAFrameStep();
     void aGarmentAtRestSleepsUntilSomethingChanges();
     void aHandWakesAGarmentAtRest();
     void aCheckpointIsGoneOnFromByAnotherRunner();
@@ -164,6 +166,26 @@ void tst_Runner::aGarmentGoesOnAfterASceneThatCannotBeBuilt() {
     runner.setScene(scene, 3);
     const auto frame = waitForFrame(runner, [](const Frame& f) { return f.generation == 3; });
     QVERIFY(frame && frame->time > 0.05);
+}
+
+void tst_Runner::anEditIsSeenBeforeAFrameStep() {
+    Runner runner;
+    Scene scene = twoSquares(0.05);
+    runner.setScene(scene, 1);
+    runner.step();
+    const auto stepped = waitForFrame(runner, [](const Frame& frame) { return frame.time > 0; });
+    QVERIFY(stepped);
+
+    pattern::Piece longer = *scene.pattern.pieces[0];
+    longer.outline.vertices[0].position.y -= 0.02;
+    scene.pattern.pieces[0] = longer;
+    runner.setScene(scene, 2);
+    const auto seen = waitForFrame(runner, [](const Frame& frame) { return frame.generation == 2; });
+    QVERIFY(seen);
+    QCOMPARE(seen->time, stepped->time);
+    QCOMPARE(seen->positions.size(), seen->topology->material.size());
+    const auto lowest = [](const Frame& frame) { return std::ranges::min(frame.positions, {}, &Vec3::y).y; };
+    QVERIFY(lowest(*seen) < lowest(*stepped) - 0.01);
 }
 
 void tst_Runner::aGarmentAtRestSleepsUntilSomethingChanges() {
