@@ -14,8 +14,6 @@ namespace {
 constexpr double bandWidth = 0.04;      ///< about what a waistband is wide [m]
 constexpr std::size_t fewestRims = 2;   ///< of a garment: what it hangs by, and a hem
 constexpr std::size_t rimsWithLegs = 3; ///< and what hangs in no free folds
-constexpr int mostOfFreeFolds = 135;    ///< full substeps, seams open; of many more levels leave few, and folds that
-                                        ///< tremble, or that statics does not find the equilibrium of
 
 double heightOf(const Opening& rim, std::span<const Vec3> positions) {
     double sum = 0;
@@ -70,13 +68,16 @@ std::vector<int> nodesItHangsBy(const Simulation& coarse, const Simulation& fine
     const std::span<const Vec3> positions = coarse.state().positions;
     const std::vector<Opening> rims = openingsOf(particleTriangles(coarse.garment()));
     if (rims.size() < fewestRims) return {};
-    if (rims.size() < rimsWithLegs && fine.fullSubsteps() > mostOfFreeFolds) return {};
     const auto upper = std::ranges::max_element(rims, {}, [&](const Opening& rim) { return heightOf(rim, positions); });
     std::vector<int> nodes;
     const std::vector<Vec3> places = fine.nodePositions();
     for (std::size_t node = 0; node < places.size(); ++node)
         if (distanceFrom(*upper, positions, places[node]) < bandWidth) nodes.push_back(static_cast<int>(node));
     return nodes;
+}
+
+bool hangsInFreeFolds(const Garment& garment) {
+    return openingsOf(particleTriangles(garment)).size() < rimsWithLegs;
 }
 
 std::vector<double> inertiaOf(const Garment& garment, std::span<const int> nodes, double h) {

@@ -13,8 +13,11 @@ namespace toile::simulation {
 
 /// The nodes of a finer garment that lie where its uppermost cloth lay on a coarser mesh: 40 mm of it, measured from
 /// the rim. Empty for a garment that has shoulders to hang on, for a cloth whose only rim is its hem, and without a
-/// body; and for one without legs on so fine a mesh that few substeps leave its free folds too soft.
+/// body.
 [[nodiscard]] std::vector<int> nodesItHangsBy(const Simulation& coarse, const Simulation& fine);
+
+/// Whether a sewn garment has no legs: what is below its waistband hangs round the body in folds that nothing spreads.
+[[nodiscard]] bool hangsInFreeFolds(const Garment& garment);
 
 /// Mass scaling: how many times its mass each particle's inertia has to be, at least 1, for position-based substeps of
 /// length h [s] not to cap the lengthwise and crosswise stiffness of cloth at these nodes. Dimensionless, by particle.

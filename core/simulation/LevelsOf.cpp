@@ -18,7 +18,7 @@ LevelPlan levelPlanFor(int substeps, const LevelRule& rule) {
     if (substeps <= rule.bearable) return {0, substeps};
     const auto leftBy = [&](int levels) { return (substeps + (1 << levels) - 1) >> levels; };
     int levels = 0;
-    while (leftBy(levels + 1) >= rule.fewest) ++levels;
+    while (levels < rule.most && leftBy(levels + 1) >= rule.fewest) ++levels;
     if (rule.oneMore && levels >= fine && leftBy(levels) > many) return {levels + 1, enough};
     return {levels, leftBy(levels)};
 }

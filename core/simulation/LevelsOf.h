@@ -16,6 +16,7 @@ struct LevelPlan {
 struct LevelRule {
     int bearable = 60;   ///< substeps up to which there is none
     int fewest = 24;     ///< substeps that they leave at least
+    int most = 30;       ///< levels
     bool oneMore = true; ///< where two levels or more leave over 30, one more leaves 28, if pieces are wide enough
 };
 /// Each level halves the number of substeps.

@@ -152,10 +152,13 @@ int Simulation::askedSubsteps() const {
 }
 
 /// Of the substeps that are planned. Beside a body that moves levels have no memory, and three would mislead cloth that
-/// two help; and what came from a coarser mesh trembles by the last level it could have for longer than it saves.
+/// two help; what came from a coarser mesh trembles by the last level it could have for longer than it saves, and by
+/// three its free folds are so soft that statics does not find their equilibrium.
 LevelPlan Simulation::levelPlan() const {
-    constexpr LevelRule ofFiner{.bearable = 80, .fewest = 36, .oneMore = false};
-    return levelPlanFor(substeps_, hangsBy_.empty() ? LevelRule{.oneMore = takesOneMore_ && !motion_} : ofFiner);
+    if (hangsBy_.empty()) return levelPlanFor(substeps_, {.oneMore = takesOneMore_ && !motion_});
+    LevelRule ofFiner{.bearable = 80, .fewest = 36, .oneMore = false};
+    if (hangsInFreeFolds(*garment_)) ofFiner.most = 2;
+    return levelPlanFor(substeps_, ofFiner);
 }
 
 std::vector<double> Simulation::inertiaIn(int substeps) const {

@@ -77,6 +77,8 @@ struct DressingSettings {
         0.2;                 ///< of a garment that lay and was edited: friction would keep what lay where it lay [s]
     double settlingTime = 4; ///< after the longest shaking: of coarse levels, and in air of this damping; what has not
                              ///< come to rest goes on without [s]
+    double hangingTime = 8;  ///< the same of what hangs by a waistband that was carried over to a finer mesh: its folds
+                             ///< creep longer [s]
     int sewingSubsteps = 20; ///< of a frame step at most, while seams close: yielding cloth sews well
 };
 inline constexpr DressingSettings dressing;

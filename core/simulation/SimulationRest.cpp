@@ -63,7 +63,7 @@ double Simulation::movedLast() const {
 }
 
 double Simulation::settledBy() const {
-    return sewnTime_ + shakingTime() + dressing.settlingTime;
+    return sewnTime_ + shakingTime() + (hangsBy_.empty() ? dressing.settlingTime : dressing.hangingTime);
 }
 
 /// After a frame step. What air moves may never rest.

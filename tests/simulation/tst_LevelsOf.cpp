@@ -45,6 +45,10 @@ private slots:
             QCOMPARE(levelPlanFor(substeps, rule).levels, levels);
             QCOMPARE(levelPlanFor(substeps, rule).substeps, left);
         }
+        LevelRule ofSkirts = rule;
+        ofSkirts.most = 2;
+        QCOMPARE(levelPlanFor(345, ofSkirts).levels, 2);
+        QCOMPARE(levelPlanFor(345, ofSkirts).substeps, 87);
     }
 
     void aStrapNarrowerThanTheirCellsHasNone() { // S34 of the stability suite
