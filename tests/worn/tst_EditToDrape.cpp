@@ -158,14 +158,12 @@ void tst_EditToDrape::aLongerHemLiesSoonWhereADrapeFromScratchDoes() {
     run.drape.quantities = study::quantitiesOf(*edited);
     study::judge(run, reference);
     const QString differs = differing(run, reference).join(", ");
-    qInfo(
-        "%zu nodes: seen changed after %.3f CPU s, moved after %.3f, at rest after %d frame steps, %.2f CPU s (from "
-        "scratch %d to %d); "
-        "%.2f mm from a drape from scratch, one whose seams close 1 %% slower is %.2f mm from it; measured it differs "
-        "in: %s",
-        edited->nodePositions().size(), first - start, stepped - start, frames, rested - start,
-        std::ranges::min(scratch.frames), std::ranges::max(scratch.frames), error * 1000, spread * 1000,
-        differs.isEmpty() ? "nothing" : qPrintable(differs));
+    qInfo("%zu nodes: seen changed after %.3f CPU s, moved after %.3f, at rest after %d frame steps, %.2f CPU s (from "
+          "scratch %d to %d); %.2f mm from a drape from scratch, one whose seams close 1 %% slower is %.2f mm from it; "
+          "measured it differs in: %s",
+          edited->nodePositions().size(), first - start, stepped - start, frames, rested - start,
+          std::ranges::min(scratch.frames), std::ranges::max(scratch.frames), error * 1000, spread * 1000,
+          differs.isEmpty() ? "nothing" : qPrintable(differs));
     if (!far.isEmpty()) QEXPECT_FAIL("", far, Continue);
     QVERIFY2(error < 2 * spread, qPrintable(QString("%1 mm, %2 mm").arg(error * 1000).arg(spread * 1000)));
     if (!measured.isEmpty()) QEXPECT_FAIL("", measured, Continue);
