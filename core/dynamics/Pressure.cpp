@@ -59,7 +59,9 @@ void Pressure::project(Substep& substep) {
     moveBy(forces_, model_, substep);
 }
 
-void Pressure::fixFriction(std::span<const Vec3> positions) {
+/// What the border takes is exact here. The energy goes on from what it was.
+void Pressure::beginIteration(std::span<const Vec3> positions) {
+    const double before = border_.empty() ? 0 : energy(positions);
     middle_ = {};
     for (const Face& face : faces_)
         for (const int p : face.particles) middle_ += positions[p] / (3.0 * static_cast<double>(faces_.size()));
@@ -68,10 +70,11 @@ void Pressure::fixFriction(std::span<const Vec3> positions) {
     border_.assign(positions.size(), {});
     addTrueForces(faces_, positions, border_);
     for (std::size_t p = 0; p < border_.size(); ++p) border_[p] -= ofVolume[p];
+    datum_ += before - energy(positions);
 }
 
 double Pressure::energy(std::span<const Vec3> positions) const {
-    double sum = 0;
+    double sum = datum_;
     for (const Face& face : faces_) {
         const auto [a, b, c] = face.particles;
         sum -= face.share * face.pressure / 6 *

@@ -64,10 +64,10 @@ public:
     /// Whether its forces may put energy in, so that none that it gives stands for them over a step.
     [[nodiscard]] virtual bool isFromOutside() const { return false; }
     /// Before the first Newton iteration, and again whenever the forces nearly balance: takes the normal forces that
-    /// friction rests on, and in statics may act from farther, by what it has yielded. Between two calls the energy is
-    /// one function of the positions.
+    /// friction rests on, and in statics may act from farther, by what it has yielded.
     virtual void fixFriction(std::span<const Vec3> positions) { static_cast<void>(positions); }
-    /// Once before every Newton iteration: finds what may act in it.
+    /// Once before every Newton iteration: finds what may act in it. Until the next call of this or of fixFriction()
+    /// the energy is one function of the positions.
     virtual void beginIteration(std::span<const Vec3> positions) = 0;
     [[nodiscard]] virtual double energy(std::span<const Vec3> positions) const = 0;
     virtual void addForces(std::span<const Vec3> positions, std::span<Vec3> forces) const = 0;

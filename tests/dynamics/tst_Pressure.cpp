@@ -123,6 +123,24 @@ private slots:
         for (std::size_t p = 0; p < first.size(); ++p) QVERIFY(distance(first[p], second[p]) <= 1e-12);
     }
 
+    /// Else statics draws an open tube along a smooth body by what its border took where it lay before.
+    void whereAnIterationBeginsTheBorderTakesWhatItDoesThere() {
+        Tube tube = openTube();
+        Pressure stage(tube.model, tube.faces, tube.state.positions);
+        stage.fixFriction(tube.state.positions);
+        shake(tube.state.positions, 0.01);
+        const auto error = [&] {
+            Vec3 ofFaces;
+            for (const dynamics::Face& face : tube.faces) ofFaces += pressure * areaOf(face, tube.state.positions);
+            return distance(sumOf(forcesOf(stage, tube.state.positions)), ofFaces);
+        };
+        QVERIFY(error() > 1e-3);
+        const double stored = stage.energy(tube.state.positions);
+        stage.beginIteration(tube.state.positions);
+        QVERIFY(error() <= 1e-12);
+        QVERIFY(std::abs(stage.energy(tube.state.positions) - stored) <= 1e-12);
+    }
+
     void aTubeIsUnderHoopTension_data() {
         QTest::addColumn<QString>("by");
         for (const char* by : {"static", "xpbd", "backward-euler", "trbdf2", "bdf2", "symplectic-euler"})
