@@ -5,22 +5,42 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace toile::dynamics {
 namespace {
 
-/// The energy ½k·dent² of a spring with a soft beginning: its stiffness grows from 0 to k over the onset. Contact that
-/// begins or ends in an iteration makes no force jump.
+/// What presses a sample out of a dent.
 struct Push {
     double energy = 0, force = 0, stiffness = 0;
+
+    /// The same stiffness farther in.
+    [[nodiscard]] Push after(double way) const {
+        return {energy + force * way + stiffness * way * way / 2, force + stiffness * way, stiffness};
+    }
 };
 
-Push pushOf(double dent, double k, double onset) {
+/// The energy ½k·dent² of a spring with a soft beginning: its stiffness grows from 0 to k over the onset. Contact that
+/// begins or ends in an iteration makes no force jump.
+Push softPushOf(double dent, double k, double onset) {
     if (dent <= 0) return {};
     if (dent < onset) return {k * dent * dent * dent / (6 * onset), k * dent * dent / (2 * onset), k * dent / onset};
-    const double beyond = dent - onset;
-    return {k * (onset * onset / 6 + beyond * onset / 2 + beyond * beyond / 2), k * (onset / 2 + beyond), k};
+    return Push{k * onset * onset / 6, k * onset / 2, k}.after(dent - onset);
+}
+
+/// A third of the distance that is kept may be pressed in so. Farther in the stiffness grows by a factor of e with
+/// every sixth, so that tight, stiff cloth does not come to the skin; what begins in the body meets no more than where
+/// it ends.
+Push pushOf(double dent, double k, double onset, double distance) {
+    constexpr double mostFolds = 4; // at the skin
+    const double soft = std::max(onset, distance / 3), perFold = distance / 6;
+    if (dent <= soft) return softPushOf(dent, k, onset);
+    const double folds = std::min((dent - soft) / perFold, mostFolds), way = folds * perFold, grown = std::exp(folds);
+    const Push before = softPushOf(soft, k, onset);
+    const Push hard{before.energy + before.force * way + k * perFold * perFold * (grown - 1 - folds),
+                    before.force + k * perFold * (grown - 1), k * grown};
+    return hard.after(dent - soft - way);
 }
 
 /// Adds what the turning of the push does where the body is hollow. On its round parts it would take stiffness away and
@@ -81,7 +101,8 @@ void BodyContact::fixFriction(std::span<const Vec3> positions) {
         sample.normal = normalized(surface.gradient);
         const double dent = dentOf(sample, surface.value);
         if (!begins)
-            sample.normalForce = pushOf(dent, sample.stiffness, settings_.onset).force * length(surface.gradient);
+            sample.normalForce =
+                pushOf(dent, sample.stiffness, settings_.onset, sample.distance).force * length(surface.gradient);
         if (takesBack) sample.takenBack = std::clamp(dent, 0.0, settings_.onset);
     }
 }
@@ -127,7 +148,7 @@ double BodyContact::energy(std::span<const Vec3> positions) const {
         const Sample& sample = samples_[s];
         const Vec3 now = at(sample, positions);
         if (const auto surface = dentingAt(s, now))
-            sum += pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset).energy;
+            sum += pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset, sample.distance).energy;
         if (sample.normalForce > 0)
             sum += sample.friction * sample.normalForce * smoothLength(length(slipOf(s, now)), settings_.frictionGive);
     }
@@ -140,8 +161,8 @@ void BodyContact::addForces(std::span<const Vec3> positions, std::span<Vec3> for
         const Vec3 now = at(sample, positions);
         Vec3 force;
         if (const auto surface = dentingAt(s, now))
-            force +=
-                surface->gradient * pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset).force;
+            force += surface->gradient *
+                     pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset, sample.distance).force;
         if (sample.normalForce > 0) {
             const Vec3 slip = slipOf(s, now);
             force -= slip * (sample.friction * sample.normalForce *
@@ -159,7 +180,8 @@ void BodyContact::addHessian(std::span<const Vec3> positions, HessianSink& sink)
         if (!surface && sample.normalForce == 0) continue;
         double whole[9] = {};
         if (surface) {
-            const Push push = pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset);
+            const Push push =
+                pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset, sample.distance);
             addOuter(whole, surface->gradient, push.stiffness);
             addTurning(whole, push.force, surface->hessian);
         }

@@ -7,12 +7,16 @@
 #include "tests/dynamics/DenseSink.h"
 
 #include <QTest>
+#include <array>
 
 using namespace toile;
 using namespace toile::contactWorld;
 using fixtures::DenseSink;
 
 namespace {
+
+/// At the soft beginning, where pushes are stiffer the farther in, and in the body [m].
+constexpr std::array dents{2e-4, 1.5e-3, 2.5e-3, 5e-3};
 
 /// vᵀHv and the change of the forces along a random v, for two samples and the one between them, which start at a
 /// distance from the middle of a round body, dented by so much along it, and then move a little.
@@ -67,9 +71,10 @@ private slots:
 void tst_BodyContactStatics::theForceIsMinusTheGradientOfTheEnergy() {
     const auto body = surfaceOf(shapes::starBody(30, 40, [](const Vec3&) { return 0.1; }));
     std::mt19937 random(23);
-    for (int n = 0; n < 40; ++n) {
-        const Vec3 up = normalized(shapes::randomPoint(random, 1));
-        std::vector<Vec3> x{up * (0.1 + target - 1e-4), up * (0.1 + target - 1e-4) + shapes::randomPoint(random, 0.01)};
+    for (int n = 0; n < 80; ++n) {
+        const Vec3 up = normalized(shapes::randomPoint(random, 1)),
+                   start = up * (0.1 + target - dents[n / 2 % dents.size()]);
+        std::vector<Vec3> x{start, start + shapes::randomPoint(random, 0.01)};
         std::vector<ContactSample> samples{sampleAt(0, 0.3), sampleAt(1, 0.3)};
         samples.push_back(dynamics::middleOf(std::array<const ContactSample*, 2>{&samples[0], &samples[1]}));
         BodyContact contact(body, samples);
@@ -95,7 +100,7 @@ void tst_BodyContactStatics::theHessianIsNeverNegativeAndOnRoundPartsNoLessThanT
     const auto ball = surfaceOf(shapes::starBody(30, 40, [](const Vec3&) { return 0.1; }));
     std::mt19937 random(24);
     for (int n = 0; n < 40; ++n) {
-        const auto [quadratic, curvature] = alongARandomWay(ball, 0.1 + target, -2e-4, random);
+        const auto [quadratic, curvature] = alongARandomWay(ball, 0.1 + target, -dents[n % dents.size()], random);
         QVERIFY(quadratic >= -1e-9);
         QVERIFY(quadratic >= curvature - 1e-4 * (1 + std::abs(curvature)));
     }
@@ -107,10 +112,11 @@ void tst_BodyContactStatics::inAHollowTheHessianIsTheCurvatureOfTheEnergy() {
     const auto hollow = surfaceOf(std::move(turned));
     std::mt19937 random(25);
     for (int n = 0; n < 40; ++n) {
-        const auto [quadratic, curvature] = alongARandomWay(hollow, 0.1 - target, 2e-4, random);
+        const double dent = dents[n % dents.size()];
+        const auto [quadratic, curvature] = alongARandomWay(hollow, 0.1 - target, dent, random);
         QVERIFY(quadratic >= -1e-9);
-        // what little is round, at the corners of a ball of triangles, is left out
-        QVERIFY(std::abs(quadratic - curvature) < 1e-3 * (1 + std::abs(curvature)));
+        // what little is round, at the corners of a ball of triangles, is left out, more the harder it presses
+        QVERIFY(std::abs(quadratic - curvature) < (dent < 1e-3 ? 1e-3 : 2e-3) * (1 + std::abs(curvature)));
     }
 }
 
@@ -189,6 +195,9 @@ void tst_BodyContactStatics::whatPressesHardRestsAtItsDistance_data() {
     QTest::addRow("fifty times") << 50.0 << -1e-6 << 1e-6;
     QTest::addRow("three hundred times") << 300.0 << -5e-6 << 5e-6;
     QTest::addRow("a thousand times") << 1000.0 << 1.4e-4 << 1.45e-4; // 0.642 mm, of which 0.5 mm are taken back
+    // 2.704 mm: a = k·(t/3 − onset/2 + t/6·(exp(6·dent/t − 2) − 1)) for a target t and k = 2.5e7 1/s². 12 mm, if the
+    // push grew evenly
+    QTest::addRow("thirty thousand times") << 30000.0 << 2.20e-3 << 2.21e-3;
 }
 
 void tst_BodyContactStatics::whatPressesHardRestsAtItsDistance() {
