@@ -30,16 +30,17 @@ Push softPushOf(double dent, double k, double onset) {
 }
 
 /// A third of the distance that is kept may be pressed in so. Farther in the stiffness grows by a factor of e with
-/// every sixth, so that tight, stiff cloth does not come to the skin; what begins in the body meets no more than where
-/// it ends.
+/// every sixth of it, so that tight, stiff cloth does not come to the skin; beyond the skin it grows no more, for cloth
+/// that begins in the body.
 Push pushOf(double dent, double k, double onset, double distance) {
-    constexpr double mostFolds = 4; // at the skin
-    const double soft = std::max(onset, distance / 3), perFold = distance / 6;
+    constexpr double exponentAtSkin = 4;
+    const double soft = std::max(onset, distance / 3), sixth = distance / 6;
     if (dent <= soft) return softPushOf(dent, k, onset);
-    const double folds = std::min((dent - soft) / perFold, mostFolds), way = folds * perFold, grown = std::exp(folds);
+    const double exponent = std::min((dent - soft) / sixth, exponentAtSkin), way = exponent * sixth;
+    const double growth = std::exp(exponent);
     const Push before = softPushOf(soft, k, onset);
-    const Push hard{before.energy + before.force * way + k * perFold * perFold * (grown - 1 - folds),
-                    before.force + k * perFold * (grown - 1), k * grown};
+    const Push hard{before.energy + before.force * way + k * sixth * sixth * (growth - 1 - exponent),
+                    before.force + k * sixth * (growth - 1), k * growth};
     return hard.after(dent - soft - way);
 }
 
