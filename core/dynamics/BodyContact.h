@@ -152,6 +152,7 @@ private:
     void rub(int particle, Substep& substep) const;
     Pushing& pushing();
     [[nodiscard]] double dentOf(const Sample& sample, double distance) const;
+    [[nodiscard]] double roomOf(const Sample& sample) const;
     [[nodiscard]] std::optional<collision::SmoothValue> dentingAt(int sample, const Vec3& now) const;
     [[nodiscard]] Vec3 slipOf(int sample, const Vec3& now) const;
 
@@ -169,6 +170,7 @@ private:
     bool beginsStatics_ = false; ///< friction has not been fixed since
     bool recalled_ = false;      ///< the same
     int takings_ = 0;            ///< how often dents will be taken back still
+    bool rests_ = false;         ///< forces are those of statics
 };
 
 } // namespace toile::dynamics

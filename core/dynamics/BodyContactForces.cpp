@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace toile::dynamics {
@@ -29,12 +30,12 @@ Push softPushOf(double dent, double k, double onset) {
     return Push{k * onset * onset / 6, k * onset / 2, k}.after(dent - onset);
 }
 
-/// A third of the distance that is kept may be pressed in so. Farther in the stiffness grows by a factor of e with
-/// every sixth of it, so that tight, stiff cloth does not come to the skin; beyond the skin it grows no more, for cloth
-/// that begins in the body.
-Push pushOf(double dent, double k, double onset, double distance) {
+/// A third of the room to the skin may be pressed in so. Farther in the stiffness grows by a factor of e with every
+/// sixth of it, so that tight, stiff cloth does not come to the skin; beyond the skin it grows no more, for cloth that
+/// begins in the body.
+Push pushOf(double dent, double k, double onset, double room) {
     constexpr double exponentAtSkin = 4;
-    const double soft = std::max(onset, distance / 3), sixth = distance / 6;
+    const double soft = std::max(onset, room / 3), sixth = room / 6;
     if (dent <= soft) return softPushOf(dent, k, onset);
     const double exponent = std::min((dent - soft) / sixth, exponentAtSkin), way = exponent * sixth;
     const double growth = std::exp(exponent);
@@ -103,7 +104,7 @@ void BodyContact::fixFriction(std::span<const Vec3> positions) {
         const double dent = dentOf(sample, surface.value);
         if (!begins)
             sample.normalForce =
-                pushOf(dent, sample.stiffness, settings_.onset, sample.distance).force * length(surface.gradient);
+                pushOf(dent, sample.stiffness, settings_.onset, roomOf(sample)).force * length(surface.gradient);
         if (takesBack) sample.takenBack = std::clamp(dent, 0.0, settings_.onset);
     }
 }
@@ -113,6 +114,7 @@ void BodyContact::fixFriction(std::span<const Vec3> positions) {
 void BodyContact::take(const Motion& motion) {
     beginsStatics_ = motion.span == 0;
     takings_ = beginsStatics_ ? settings_.takings : 0;
+    rests_ = motion.span == 0;
     if (pushing_ && !pushing_->anchors.empty()) return;
     for (Sample& sample : samples_) sample.takenBack = 0;
 }
@@ -132,6 +134,11 @@ double BodyContact::dentOf(const Sample& sample, double distance) const {
     return sample.distance + sample.takenBack - distance;
 }
 
+/// To the skin, where stiffness may grow: explicit steps would be too long for it, and are as stiff as implicit ones.
+double BodyContact::roomOf(const Sample& sample) const {
+    return rests_ ? sample.distance : std::numeric_limits<double>::infinity();
+}
+
 /// The smooth distance of a sample to the body, if it is too small. Remembers on the way which nodes it rests on.
 std::optional<collision::SmoothValue> BodyContact::dentingAt(int s, const Vec3& now) const {
     if (tracker_.stillFar(s, now, samples_[s].distance + settings_.lattice)) return std::nullopt;
@@ -149,7 +156,7 @@ double BodyContact::energy(std::span<const Vec3> positions) const {
         const Sample& sample = samples_[s];
         const Vec3 now = at(sample, positions);
         if (const auto surface = dentingAt(s, now))
-            sum += pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset, sample.distance).energy;
+            sum += pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset, roomOf(sample)).energy;
         if (sample.normalForce > 0)
             sum += sample.friction * sample.normalForce * smoothLength(length(slipOf(s, now)), settings_.frictionGive);
     }
@@ -163,7 +170,7 @@ void BodyContact::addForces(std::span<const Vec3> positions, std::span<Vec3> for
         Vec3 force;
         if (const auto surface = dentingAt(s, now))
             force += surface->gradient *
-                     pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset, sample.distance).force;
+                     pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset, roomOf(sample)).force;
         if (sample.normalForce > 0) {
             const Vec3 slip = slipOf(s, now);
             force -= slip * (sample.friction * sample.normalForce *
@@ -181,8 +188,7 @@ void BodyContact::addHessian(std::span<const Vec3> positions, HessianSink& sink)
         if (!surface && sample.normalForce == 0) continue;
         double whole[9] = {};
         if (surface) {
-            const Push push =
-                pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset, sample.distance);
+            const Push push = pushOf(dentOf(sample, surface->value), sample.stiffness, settings_.onset, roomOf(sample));
             addOuter(whole, surface->gradient, push.stiffness);
             addTurning(whole, push.force, surface->hessian);
         }
