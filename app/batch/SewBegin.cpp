@@ -4,6 +4,7 @@
 #include "app/batch/Console.h"
 #include "core/dynamics/Method.h"
 #include "core/io/CheckpointFile.h"
+#include "core/simulation/BodyThrough.h"
 #include "core/simulation/Inspect.h"
 
 #include <algorithm>
@@ -41,9 +42,13 @@ int substepsFor(const simulation::Scene& scene, const SewOptions& options) {
 std::string overlapAtStart(const simulation::Simulation& simulation) {
     const simulation::ContactSummary start = simulation::contactOf(simulation);
     std::string overlap;
-    if (start.bodyPenetrationMaximum > 0 || start.bodyIntersections > 0)
+    if (start.bodyPenetrationMaximum > 0 || start.bodyIntersections > 0) {
         overlap = fmt::format("{:.1f} mm inside the body, with {} intersections", 1000 * start.bodyPenetrationMaximum,
                               start.bodyIntersections);
+        for (const simulation::BodyThrough& part : simulation::bodyThrough(simulation))
+            overlap += fmt::format(", with the {} through piece \"{}\"", partOf(part),
+                                   simulation.scene().pattern.pieces[part.piece]->name);
+    }
     if (start.selfIntersections > 0)
         overlap += fmt::format("{}with {} intersections with itself", overlap.empty() ? "" : ", and ",
                                start.selfIntersections);

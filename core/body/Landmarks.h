@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace toile::body {
@@ -25,6 +26,19 @@ struct Landmarks {
 };
 
 enum class Limb { neck, torso, leftArm, rightArm, leftLeg, rightLeg };
+
+/// "left arm".
+[[nodiscard]] constexpr std::string_view nameOf(Limb limb) {
+    switch (limb) {
+    case Limb::neck: return "neck";
+    case Limb::torso: return "torso";
+    case Limb::leftArm: return "left arm";
+    case Limb::rightArm: return "right arm";
+    case Limb::leftLeg: return "left leg";
+    case Limb::rightLeg: return "right leg";
+    }
+    return {};
+}
 
 /// The middle line of a limb as a polyline from the trunk outward, past the end of the mesh:
 /// neck up through the head, torso from the neck down to below the crotch, arms past the hands, legs past the

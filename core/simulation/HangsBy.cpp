@@ -11,9 +11,8 @@
 namespace toile::simulation {
 namespace {
 
-constexpr double bandWidth = 0.04;      ///< about what a waistband is wide [m]
-constexpr std::size_t fewestRims = 2;   ///< of a garment: what it hangs by, and a hem
-constexpr std::size_t rimsWithLegs = 3; ///< and what hangs in no free folds
+constexpr double bandWidth = 0.04;    ///< about what a waistband is wide [m]
+constexpr std::size_t fewestRims = 2; ///< of a garment: what it hangs by, and a hem
 
 double heightOf(const Opening& rim, std::span<const Vec3> positions) {
     double sum = 0;
@@ -76,8 +75,14 @@ std::vector<int> nodesItHangsBy(const Simulation& coarse, const Simulation& fine
     return nodes;
 }
 
-bool hangsInFreeFolds(const Garment& garment) {
-    return openingsOf(particleTriangles(garment)).size() < rimsWithLegs;
+bool hangsInFreeFolds(const Simulation& simulation) {
+    const Drape drape = drapeOf(simulation);
+    const auto isOfOneLeg = [](const OpeningReport& rim) {
+        return rim.limbs.size() == 1 &&
+               (rim.name == nameOf(body::Limb::leftLeg) || rim.name == nameOf(body::Limb::rightLeg));
+    };
+    return std::ranges::none_of(openingReports(openingsOf(drape.triangles), drape, **simulation.scene().body),
+                                isOfOneLeg);
 }
 
 std::vector<double> inertiaOf(const Garment& garment, std::span<const int> nodes, double h) {

@@ -16,8 +16,9 @@ namespace toile::simulation {
 /// body.
 [[nodiscard]] std::vector<int> nodesItHangsBy(const Simulation& coarse, const Simulation& fine);
 
-/// Whether a sewn garment has no legs: what is below its waistband hangs round the body in folds that nothing spreads.
-[[nodiscard]] bool hangsInFreeFolds(const Garment& garment);
+/// Whether a sewn garment beside a body with limbs has no legs: what is below its waistband hangs round the body in
+/// folds that nothing spreads.
+[[nodiscard]] bool hangsInFreeFolds(const Simulation& simulation);
 
 /// Mass scaling: how many times its mass each particle's inertia has to be, at least 1, for position-based substeps of
 /// length h [s] not to cap the lengthwise and crosswise stiffness of cloth at these nodes. Dimensionless, by particle.

@@ -157,7 +157,7 @@ int Simulation::askedSubsteps() const {
 LevelPlan Simulation::levelPlan() const {
     if (hangsBy_.empty()) return levelPlanFor(substeps_, {.oneMore = takesOneMore_ && !motion_});
     LevelRule ofFiner{.bearable = 80, .fewest = 36, .oneMore = false};
-    if (hangsInFreeFolds(*garment_)) ofFiner.most = 2;
+    if (hangsInFreeFolds(*this)) ofFiner.most = 2;
     return levelPlanFor(substeps_, ofFiner);
 }
 

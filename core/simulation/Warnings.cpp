@@ -2,6 +2,7 @@
 #include "core/simulation/Warnings.h"
 
 #include "core/dynamics/SelfContact.h"
+#include "core/simulation/BodyThrough.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -60,16 +61,25 @@ void warnOfWrongOrder(Warnings& warnings, const ContactSummary& contact) {
             {"layers", fmt::format("{} nodes lie behind a piece of a lower layer.", contact.nodesInWrongOrder)});
 }
 
-void warnOfClothInBody(Warnings& warnings, const ContactSummary& contact, double skinOffset) {
+/// Why cloth cuts the body.
+std::string_view whyItCuts(const ContactSummary& contact, double skinOffset, bool sticksThrough) {
+    if (sticksThrough) return "The body sticks through it.";
+    if (contact.bodyClearanceMinimum.value_or(0) < skinOffset / 3) return "Particles are pressed into it as well.";
+    return "Its particles keep their distance, but cells are too coarse for how sharply the body is curved there; a "
+           "finer spacing or a larger skin offset helps.";
+}
+
+void warnOfClothInBody(Warnings& warnings, const Simulation& simulation, const ContactSummary& contact) {
     if (contact.bodyIntersections == 0) return;
-    const bool particlesKeepOff = contact.bodyClearanceMinimum.value_or(0) >= skinOffset / 3;
+    const std::vector<BodyThrough> parts = bodyThrough(simulation);
+    for (const BodyThrough& part : parts)
+        warnings.push_back({fmt::format("piece \"{}\"", simulation.scene().pattern.pieces[part.piece]->name),
+                            fmt::format("The {} sticks through its cloth: start with the piece clear of the body, or "
+                                        "with a body that stands otherwise.",
+                                        partOf(part))});
     warnings.push_back(
-        {"body contact",
-         fmt::format("Cloth cuts the body: {} pairs of triangles meet. {}", contact.bodyIntersections,
-                     particlesKeepOff
-                         ? "Its particles keep their distance, but cells are too coarse for how sharply the "
-                           "body is curved there; a finer spacing or a larger skin offset helps."
-                         : "Particles are pressed into it as well.")});
+        {"body contact", fmt::format("Cloth cuts the body: {} pairs of triangles meet. {}", contact.bodyIntersections,
+                                     whyItCuts(contact, simulation.scene().settings.skinOffset, !parts.empty()))});
 }
 
 void warnOfHeldBackCloth(Warnings& warnings, const Simulation& simulation) {
@@ -149,7 +159,7 @@ std::vector<Warning> warningsOf(const Simulation& simulation, const ContactSumma
     warnOfRedoneSteps(warnings, simulation);
     warnOfLimitedSteps(warnings, simulation);
     warnOfRefusedFactor(warnings, simulation);
-    warnOfClothInBody(warnings, contact, simulation.scene().settings.skinOffset);
+    warnOfClothInBody(warnings, simulation, contact);
     warnOfWrongOrder(warnings, contact);
     return warnings;
 }

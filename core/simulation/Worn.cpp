@@ -38,14 +38,9 @@ std::vector<Vec3> trunkLine(const body::Body& body) {
 /// The middle lines under the names of the report.
 std::vector<NamedAxis> axesOf(const body::Body& body) {
     std::vector<NamedAxis> axes{{"trunk", trunkLine(body)}};
-    for (const body::LimbAxis& axis : body.axes) switch (axis.limb) {
-        case Limb::neck:
-        case Limb::torso: break;
-        case Limb::leftArm: axes.push_back({"left arm", axis.points}); break;
-        case Limb::rightArm: axes.push_back({"right arm", axis.points}); break;
-        case Limb::leftLeg: axes.push_back({"left leg", axis.points}); break;
-        case Limb::rightLeg: axes.push_back({"right leg", axis.points}); break;
-        }
+    for (const body::LimbAxis& axis : body.axes)
+        if (axis.limb != Limb::neck && axis.limb != Limb::torso)
+            axes.push_back({std::string(nameOf(axis.limb)), axis.points});
     return axes;
 }
 
