@@ -22,9 +22,7 @@ struct Slant {
         size += std::abs(cosine);
         ++pairs;
     }
-    [[nodiscard]] bool goesAllRound() const {
-        return pairs >= 8 && std::abs(sum) < 0.5 * pairs && size < 0.65 * pairs;
-    }
+    [[nodiscard]] bool goesAllRound() const { return pairs >= 8 && std::abs(sum) < 0.5 * pairs && size < 0.65 * pairs; }
 };
 
 Vec3 normalOf(const geometry::TriangleMesh& mesh, int triangle) {

@@ -85,6 +85,7 @@ void Simulation::planAnew() {
         }
     }
     stillTime_ = 0;
+    inPlace_.forget();
     const auto former = std::exchange(awake_, awakeNow()); // to its model refers what still stands
     addCosts(formerCosts_, plan_.costs());
     Scene now = scene_;

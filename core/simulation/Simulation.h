@@ -18,6 +18,7 @@
 #include "core/simulation/Frame.h"
 #include "core/simulation/Garment.h"
 #include "core/simulation/Grips.h"
+#include "core/simulation/InPlace.h"
 #include "core/simulation/LevelsOf.h"
 #include "core/simulation/Scene.h"
 #include "core/simulation/SceneParts.h"
@@ -259,6 +260,7 @@ private:
     void planLevels(const LevelPlan& corrected);
     void correctByDueLevels();
     [[nodiscard]] bool levelsMayHelp() const;
+    [[nodiscard]] bool tremblesInPlace(double duration);
     void noteRest(const Speeds& speeds, double duration);
     [[nodiscard]] bool rests() const;
     [[nodiscard]] bool fallsAsleep() const;
@@ -343,6 +345,7 @@ private:
     std::size_t refusedFactor_ = 0; ///< [B]
     int substeps_ = 0, steps_ = 0;
     double largestSpeed_ = 0, restingTime_ = 0;
+    InPlace inPlace_;                              ///< of what trembles long after it was put on
     double stillTime_ = 0, sleptTime_ = 0;         ///< since when nothing moves; how long nothing was computed [s]
     int sleptSteps_ = 0, computedSteps_ = 0;       ///< frame steps
     double sleptApart_ = 0;                        ///< of those that were computed

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WornScenes.h"
 #include "core/simulation/Checkpoint.h"
+#include "core/simulation/Speeds.h"
+#include "samples/Shirt.h"
 #include "samples/TShirt.h"
 #include "tests/Suite.h"
 
@@ -62,6 +64,35 @@ private slots:
         }
         qInfo("farthest %.1f mm from where it rested", 1000 * farthest);
         QVERIFY2(farthest < 0.001, qPrintable(QString("%1 mm").arg(1000 * farthest)));
+    }
+
+    /// The sample shirt on cells of 28 mm, its collar 20 mm farther behind: where that is crumpled on its stand, it
+    /// trembles for as long as it is simulated.
+    void whatTremblesInPlaceRestsAsWell() {
+        const auto shirt = samples::shirt(blouseWearer().measurements, blouseWearer().body);
+        QVERIFY(shirt);
+        Scene scene{shirt->pattern, Shared<body::Body>(blouseWearer().body), shirt->scene};
+        for (Shared<pattern::Piece>& piece : scene.pattern.pieces)
+            if (piece->id.value == "collar") {
+                pattern::Piece collar = *piece;
+                collar.placement->transform.origin.z -= 0.02;
+                piece = std::move(collar);
+            }
+        auto simulation = Simulation::create(scene, {.spacing = 0.028});
+        QVERIFY(simulation);
+        static_cast<void>(sewn(*simulation, {.seconds = 9}));
+        int fast = 0; // frame steps in which it does not look like rest
+        for (int frame = 0; frame < 30; ++frame) {
+            const std::vector<Vec3> before = simulation->state().positions;
+            run(*simulation, 1);
+            fast += !speedsOf(simulation->garment().model.mass, before, simulation->state().positions, 1.0 / 60)
+                         .areOfRest();
+        }
+        QVERIFY2(fast > 0, "It does not tremble.");
+        const SewReport report = sewn(*simulation);
+        QVERIFY(report.atRest);
+        QVERIFY(simulation->state().time < 13);
+        QVERIFY2(report.worn->worn, report.worn->why.empty() ? "" : report.worn->why[0].c_str());
     }
 };
 
