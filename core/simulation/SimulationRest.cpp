@@ -68,9 +68,9 @@ double Simulation::settledBy() const {
 }
 
 /// What should have come to rest long since, and goes nowhere: crumpled layers may tremble for ever by position-based
-/// steps. Statics tells whether it lies in equilibrium.
+/// steps. Statics tells whether it lies in equilibrium; the paper has none.
 bool Simulation::tremblesInPlace(double duration) {
-    if (state_.time < settledBy() + patience) return false;
+    if (scene_.paper || state_.time < settledBy() + patience) return false;
     return inPlace_.note(state_.positions, duration) >= longEnough;
 }
 
