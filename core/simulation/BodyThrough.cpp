@@ -2,6 +2,7 @@
 #include "core/simulation/BodyThrough.h"
 
 #include "core/collision/Intersections.h"
+#include "core/geometry/Segment.h"
 
 #include <cmath>
 #include <limits>
@@ -48,15 +49,19 @@ ClothOfPieces clothOf(const Simulation& simulation) {
     return cloth;
 }
 
+/// The limb whose middle line is nearest. Below the crotch that of the torso goes on between the legs.
 std::optional<body::Limb> limbAt(const body::Body& body, const Vec3& place) {
     std::optional<body::Limb> nearest;
     double least = std::numeric_limits<double>::infinity();
-    for (const body::LimbAxis& axis : body.axes)
-        for (const Vec3& point : axis.points)
-            if (const double squared = squaredLength(point - place); squared < least) {
-                least = squared;
+    for (const body::LimbAxis& axis : body.axes) {
+        if (axis.limb == body::Limb::torso && place.y < body.landmarks.crotch.y) continue;
+        for (std::size_t k = 0; k + 1 < axis.points.size(); ++k)
+            if (const double far = geometry::distanceToSegment(place, axis.points[k], axis.points[k + 1]);
+                far < least) {
+                least = far;
                 nearest = axis.limb;
             }
+    }
     return nearest;
 }
 

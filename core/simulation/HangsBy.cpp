@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/HangsBy.h"
 
+#include "core/geometry/Segment.h"
 #include "core/simulation/Inspect.h"
 #include "core/simulation/Openings.h"
 
@@ -22,12 +23,9 @@ double heightOf(const Opening& rim, std::span<const Vec3> positions) {
 
 double distanceFrom(const Opening& rim, std::span<const Vec3> positions, const Vec3& place) {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < rim.size(); ++i) {
-        const Vec3 &a = positions[rim[i]], &b = positions[rim[(i + 1) % rim.size()]];
-        const double along = squaredLength(b - a);
-        const double part = along > 0 ? std::clamp(dot(place - a, b - a) / along, 0.0, 1.0) : 0;
-        least = std::min(least, distance(place, a + part * (b - a)));
-    }
+    for (std::size_t i = 0; i < rim.size(); ++i)
+        least = std::min(least,
+                         geometry::distanceToSegment(place, positions[rim[i]], positions[rim[(i + 1) % rim.size()]]));
     return least;
 }
 

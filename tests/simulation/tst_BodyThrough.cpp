@@ -53,6 +53,7 @@ void tst_BodyThrough::aSheetRoundALimbIsPierced() {
     const Vec3 ankles = lerp(usualBody().landmarks.ankleLeft, usualBody().landmarks.ankleRight, 0.5);
     const auto legs = bodyThrough(simulationOf(sheetAround(lerp(usualBody().landmarks.crotch, ankles, 0.5))));
     QVERIFY(legs == (std::vector{BodyThrough{Limb::leftLeg, 0}, BodyThrough{Limb::rightLeg, 0}}));
+    QVERIFY(bodyThrough(simulationOf(sheetAround(ankles + Vec3{0, 0.2, 0}))) == legs);
 }
 
 void tst_BodyThrough::aHandThatTheMiddleLineLeavesCountsToItsArm() {

@@ -18,8 +18,7 @@ template <class Place>
 double inPlaceAfter(int frames, const Place& placeAt) {
     InPlace inPlace;
     double time = 0;
-    for (int frame = 0; frame < frames; ++frame)
-        time = inPlace.note(std::vector{Vec3{1, 2, 3}, placeAt(frame)}, step);
+    for (int frame = 0; frame < frames; ++frame) time = inPlace.note(std::vector{Vec3{1, 2, 3}, placeAt(frame)}, step);
     return time;
 }
 
