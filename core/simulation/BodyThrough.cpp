@@ -18,7 +18,11 @@ struct Slant {
     double sum = 0, size = 0;
     int pairs = 0;
 
-    void add(double cosine) {
+    /// Triangles without area, as merged seams leave them, have no normal.
+    void add(const Vec3& ofCloth, const Vec3& ofSkin) {
+        const double lengths = length(ofCloth) * length(ofSkin);
+        if (lengths == 0) return;
+        const double cosine = dot(ofCloth, ofSkin) / lengths;
         sum += cosine;
         size += std::abs(cosine);
         ++pairs;
@@ -26,9 +30,10 @@ struct Slant {
     [[nodiscard]] bool goesAllRound() const { return pairs >= 8 && std::abs(sum) < 0.5 * pairs && size < 0.65 * pairs; }
 };
 
-Vec3 normalOf(const geometry::TriangleMesh& mesh, int triangle) {
+/// As long as twice the triangle's area.
+Vec3 areaNormal(const geometry::TriangleMesh& mesh, int triangle) {
     const auto& [a, b, c] = mesh.triangles[triangle];
-    return normalized(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+    return cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
 }
 
 /// The triangles of all pieces, and of which piece each is.
@@ -38,14 +43,10 @@ struct ClothOfPieces {
 };
 
 ClothOfPieces clothOf(const Simulation& simulation) {
-    ClothOfPieces cloth{{simulation.nodePositions(), {}}, {}};
     const Garment& garment = simulation.garment();
+    ClothOfPieces cloth{{simulation.state().positions, particleTriangles(garment)}, {}};
     for (std::size_t piece = 0; piece < garment.mesh->pieces.size(); ++piece)
-        for (const auto& [a, b, c] : garment.mesh->pieces[piece].display) {
-            const int first = garment.particles.firstNode[piece];
-            cloth.mesh.triangles.push_back({first + a, first + b, first + c});
-            cloth.pieces.push_back(piece);
-        }
+        cloth.pieces.insert(cloth.pieces.end(), garment.mesh->pieces[piece].display.size(), piece);
     return cloth;
 }
 
@@ -76,7 +77,7 @@ std::vector<BodyThrough> bodyThrough(const Simulation& simulation) {
     for (const auto& [ofCloth, ofSkin] : collision::intersectingTriangles(cloth.mesh, skin)) {
         std::optional<body::Limb> limb;
         if (!surface->hasMoved()) limb = limbAt(**simulation.scene().body, skin.vertices[skin.triangles[ofSkin][0]]);
-        slants[{limb, cloth.pieces[ofCloth]}].add(dot(normalOf(cloth.mesh, ofCloth), normalOf(skin, ofSkin)));
+        slants[{limb, cloth.pieces[ofCloth]}].add(areaNormal(cloth.mesh, ofCloth), areaNormal(skin, ofSkin));
     }
     std::vector<BodyThrough> through;
     for (const auto& [where, slant] : slants)

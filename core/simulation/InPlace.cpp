@@ -6,12 +6,12 @@
 namespace toile::simulation {
 namespace {
 
-constexpr double near = 0.0005; // [m]
+constexpr double withinReach = 0.0005; // [m]
 
 } // namespace
 
 double InPlace::note(std::span<const Vec3> positions, double duration) {
-    const auto isNear = [](const Vec3& a, const Vec3& b) { return squaredLength(a - b) <= near * near; };
+    const auto isNear = [](const Vec3& a, const Vec3& b) { return squaredLength(a - b) <= withinReach * withinReach; };
     if (std::ranges::equal(places_, positions, isNear)) return time_ += duration;
     places_.assign(positions.begin(), positions.end());
     return time_ = 0;

@@ -9,7 +9,7 @@ namespace toile::simulation {
 namespace {
 
 constexpr double longEnough = 0.5;  ///< that slow, for a garment to be at rest [s]
-constexpr double patience = 2.0;    ///< beyond the time in which what was put on settles, before it may tremble [s]
+constexpr double trembleAfter = 2;  ///< the time in which what was put on settles, it may tremble [s]
 constexpr double slowEnough = 0.03; ///< that slow, for what was sewn to be judged by the scene's damping [s]
 /// Of cloth that hands hold [1/s]: its taut edges are strings that would go on ringing, by position-based steps for
 /// ever.
@@ -70,15 +70,15 @@ double Simulation::settledBy() const {
 /// What should have come to rest long since, and goes nowhere: crumpled layers may tremble for ever by position-based
 /// steps. Statics tells whether it lies in equilibrium; the paper has none.
 bool Simulation::tremblesInPlace(double duration) {
-    if (scene_.paper || state_.time < settledBy() + patience) return false;
+    if (scene_.paper || state_.time < settledBy() + trembleAfter) return false;
     return inPlace_.note(state_.positions, duration) >= longEnough;
 }
 
 /// After a frame step. What air moves may never rest.
 void Simulation::noteRest(const Speeds& speeds, double duration) {
     const bool drapes = phase_ == Phase::draping, isLeftAlone = drapes && !motion_;
-    const bool isOfRest = isLeftAlone && (speeds.areOfRest() || tremblesInPlace(duration));
-    restingTime_ = isOfRest ? restingTime_ + duration : 0;
+    const bool tremblesOnly = isLeftAlone && tremblesInPlace(duration);
+    restingTime_ = isLeftAlone && (tremblesOnly || speeds.areOfRest()) ? restingTime_ + duration : 0;
     stillTime_ = isLeftAlone && speeds.areStill() ? stillTime_ + duration : 0;
     const bool tookTooLong = drapes && scene_.settings.air && movedLast() > settledBy();
     if (rests() || tookTooLong) settles_ = false;

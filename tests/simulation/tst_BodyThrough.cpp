@@ -42,9 +42,10 @@ class tst_BodyThrough : public QObject {
     Q_OBJECT
 private slots:
     void aSheetRoundALimbIsPierced();
-    void aHandThatTheMiddleLineLeavesCountsToItsArm();
+    void aHandCountsToItsArm();
     void whatOnlyCutsABendOfTheSkinIsNot();
     void aBodyWithoutLimbsIsTheBody();
+    void trianglesWithoutAreaDoNotCount();
     void noneWhereNothingMeets();
     void theWarningsNamePartAndPiece();
 };
@@ -56,7 +57,7 @@ void tst_BodyThrough::aSheetRoundALimbIsPierced() {
     QVERIFY(bodyThrough(simulationOf(sheetAround(ankles + Vec3{0, 0.2, 0}))) == legs);
 }
 
-void tst_BodyThrough::aHandThatTheMiddleLineLeavesCountsToItsArm() {
+void tst_BodyThrough::aHandCountsToItsArm() {
     const auto arm = bodyThrough(simulationOf(sheetAround(usualBody().landmarks.wristLeft + Vec3{0.1, -0.05, 0})));
     QVERIFY(arm == (std::vector{BodyThrough{Limb::leftArm, 0}}));
 }
@@ -71,6 +72,19 @@ void tst_BodyThrough::aBodyWithoutLimbsIsTheBody() {
     const auto through = bodyThrough(simulationOf(sheetInBall(0)));
     QVERIFY(through == (std::vector{BodyThrough{std::nullopt, 0}}));
     QCOMPARE(partOf(through[0]), std::string("body"));
+}
+
+void tst_BodyThrough::trianglesWithoutAreaDoNotCount() {
+    Scene scene = sheetInBall(0);
+    body::Body ball = **scene.body;
+    for (std::size_t t = 0, count = ball.mesh.triangles.size(); t < count; ++t) {
+        const auto [a, b, c] = ball.mesh.triangles[t];
+        ball.mesh.triangles.push_back({a, a, b});
+    }
+    scene.body = Shared<body::Body>(std::move(ball));
+    const Simulation simulation = simulationOf(scene);
+    QVERIFY(contactOf(simulation).bodyIntersections > contactOf(simulationOf(sheetInBall(0))).bodyIntersections);
+    QVERIFY(bodyThrough(simulation) == (std::vector{BodyThrough{std::nullopt, 0}}));
 }
 
 void tst_BodyThrough::noneWhereNothingMeets() {
