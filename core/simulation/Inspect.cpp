@@ -189,6 +189,7 @@ ContactSummary contactOf(const Simulation& simulation) {
     const Intersections intersections = intersectionsOf(simulation);
     summary.selfIntersections = intersections.self + intersections.atOpenSeams;
     summary.bodyIntersections = intersections.body;
+    summary.layersApart = summary.selfIntersections == 0 || !simulation.scene().settings.selfContact;
     summary.nodesInWrongOrder =
         nodesInWrongOrder(simulation.scene().pattern, *simulation.garment().mesh, simulation.nodePositions());
     if (const auto* stage = dynamic_cast<const dynamics::SelfContact*>(simulation.plan().find("self-contact")))

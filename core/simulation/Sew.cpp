@@ -180,6 +180,7 @@ void judgeWorn(SewReport& result, const Simulation& simulation, const SewSetting
     if (!result.allTacked()) worn.why.push_back("Not every tack is closed.");
     if (!result.atRest) worn.why.push_back("The garment is not at rest.");
     if (!result.contact.outsideBody) worn.why.push_back("The cloth is not outside the body.");
+    if (!result.contact.layersApart) worn.why.push_back("Its layers have crossed, which self-contact was to prevent.");
     if (length(scene.settings.gravity) == 0) worn.why.push_back("Without gravity nothing hangs on the body.");
     worn.worn = worn.why.empty();
     result.worn = std::move(worn);
@@ -200,7 +201,8 @@ bool SewReport::ranOutOfTime() const {
 }
 
 bool SewReport::reachedItsGoal(const SewSettings& settings) const {
-    return allClosed() && allTacked() && contact.outsideBody && (atRest || (settings.seconds && !ranOutOfTime()));
+    const bool apart = contact.outsideBody && contact.layersApart;
+    return allClosed() && allTacked() && apart && (atRest || (settings.seconds && !ranOutOfTime()));
 }
 
 Result<SewReport> sew(Simulation& simulation, const SewSettings& settings, std::stop_token stop,

@@ -41,6 +41,7 @@ struct ContactSummary {
     int nodesInWrongOrder = 0;                        ///< behind a piece of a lower layer within 20 mm
     bool guarantee = false;  ///< self-contact has kept all layers apart since it last found any crossed
     bool outsideBody = true; ///< no intersection, and a clearance of at least a third of the skin offset
+    bool layersApart = true; ///< no triangle meets another, or the scene does not ask for self-contact
 };
 
 struct StageShare {
@@ -97,7 +98,7 @@ struct SewReport {
     [[nodiscard]] bool allClosed() const; ///< seams
     [[nodiscard]] bool allTacked() const;
     [[nodiscard]] bool ranOutOfTime() const; ///< ended by SewSettings::deadline
-    /// Seams and tacks closed, at rest and outside the body.
+    /// Seams and tacks closed, at rest, outside the body, and layers apart where the scene asks for it.
     [[nodiscard]] bool reachedItsGoal(const SewSettings& settings) const;
 };
 

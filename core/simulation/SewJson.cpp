@@ -91,7 +91,8 @@ Json toJson(const ContactSummary& contact) {
     json.set("bodyClearanceMinimum", numberOrNull(contact.bodyClearanceMinimum));
     json.set("selfIntersections", contact.selfIntersections).set("bodyIntersections", contact.bodyIntersections);
     json.set("nodesInWrongOrder", contact.nodesInWrongOrder);
-    return json.set("outsideBody", contact.outsideBody).set("guarantee", contact.guarantee);
+    json.set("outsideBody", contact.outsideBody).set("layersApart", contact.layersApart);
+    return json.set("guarantee", contact.guarantee);
 }
 
 Json toJson(const std::optional<cloth::PaperReport>& paper) {

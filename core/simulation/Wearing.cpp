@@ -23,6 +23,7 @@ void keepWorst(ContactSummary& worst, const ContactSummary& now) {
     worst.bodyIntersections = std::max(worst.bodyIntersections, now.bodyIntersections);
     worst.nodesInWrongOrder = std::max(worst.nodesInWrongOrder, now.nodesInWrongOrder);
     worst.outsideBody = worst.outsideBody && now.outsideBody;
+    worst.layersApart = worst.layersApart && now.layersApart;
 }
 
 } // namespace

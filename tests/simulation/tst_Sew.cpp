@@ -22,6 +22,18 @@ Scene curtain() {
     return scene;
 }
 
+/// Two sheets that stay where they are, one through the other.
+Scene crossedSheets() {
+    Scene scene = twoSquares(0.05);
+    scene.pattern.seams.clear();
+    pattern::Piece left = *scene.pattern.pieces[0], across = *scene.pattern.pieces[1];
+    left.frozen = across.frozen = true;
+    const Vec3 at = placed(*left.placement, {0.11, 0.01}) - Vec3{0, 0, 0.09};
+    across.placement = pattern::Placement{{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, at}, {}};
+    scene.pattern.pieces = {left, across};
+    return scene;
+}
+
 std::vector<std::string> leftOutOf(const SewReport& report) {
     std::vector<std::string> names;
     for (const LeftOut& left : report.leftOut) names.push_back(left.stage);
@@ -42,6 +54,7 @@ private slots:
     void theFinishCanBeLeftOut();
     void aRunOfSomeSecondsTakesJustThese();
     void theLimitEndsARunThatDoesNotRest();
+    void layersThatCrossMissTheGoalOfSelfContactAlone();
     void whatTheSceneDoesNotNeedIsNamedWithAReason();
     void aBodyIsNotLeftOut();
     void withoutLimbsThereIsNoVerdict();
@@ -131,6 +144,18 @@ void tst_Sew::theLimitEndsARunThatDoesNotRest() {
     const SewReport report = sewn(scene, settings);
     QCOMPARE(report.ending, std::string("limit reached"));
     QVERIFY(!report.atRest && !report.reachedItsGoal(settings));
+}
+
+void tst_Sew::layersThatCrossMissTheGoalOfSelfContactAlone() {
+    Scene scene = crossedSheets();
+    const SewSettings settings{.seconds = 0.05};
+    for (const bool selfContact : {false, true}) {
+        scene.settings.selfContact = selfContact;
+        const SewReport report = sewn(scene, settings);
+        QVERIFY(report.contact.selfIntersections > 0);
+        QCOMPARE(report.reachedItsGoal(settings), !selfContact);
+        QCOMPARE(*toJson(report).find("contact")->find("layersApart")->asBool(), !selfContact);
+    }
 }
 
 void tst_Sew::whatTheSceneDoesNotNeedIsNamedWithAReason() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WornScenes.h" // first: moc 6.4 stumbles over <compare> as the first header
 #include "tests/Suite.h"
+#include "tests/pattern/TwoPanels.h"
 
 #include "core/pattern/PatternPlacement.h"
 #include "core/pattern/PatternSeams.h"
@@ -44,6 +45,23 @@ Result<pattern::Pattern> withPieceTurned(const pattern::Pattern& pattern, const 
     return pattern::movePlacement(pattern, piece, {{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {2 * at.x, 0, 2 * at.z}});
 }
 
+/// A strip of cloth that stays where it is runs through the left front, to and fro past the body, and nothing can
+/// draw them apart.
+Scene blouseWithStripThroughIt() {
+    Scene scene = onBlouseWearer(blouseAt(controlSpacing));
+    const pattern::Piece& front = *scene.pattern.pieces[0];
+    Vec2 middle;
+    for (const pattern::Vertex& vertex : front.outline.vertices)
+        middle += vertex.position / static_cast<double>(front.outline.vertices.size());
+    const Vec3 at = placed(*front.placement, middle);
+    pattern::Piece strip = tests::rectangle("strip", 0.3, 0.08);
+    strip.fabric = front.fabric;
+    strip.frozen = true;
+    strip.placement = pattern::Placement{{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, at - Vec3{0, 0.04, 0.2}}, {}};
+    scene.pattern.pieces.push_back(strip);
+    return scene;
+}
+
 /// Between the two squares of the sample, 50 mm thick and out of their reach on every other side.
 body::Body wall() {
     body::Body body{"wall", {}, {}, {}};
@@ -67,6 +85,7 @@ private slots:
     void aSeamReversed();
     void sleevesSwapped();
     void aPieceInsideOut();
+    void layersThatCross();
     void withoutGravity();
     void aWaistbandFarTooWide();
     void aWaistbandFarTooNarrow();
@@ -85,7 +104,7 @@ void tst_NotWorn::theCorrectBlouseIsPutOnRight() {
 
 void tst_NotWorn::theCorrectBlouseGivesNoneOfTheReasonsBelow() {
     for (const char* words : {"wrong side", "right side out", "passes through more than one", "is crossed", "No limb",
-                              "Without gravity", "seam is closed"})
+                              "Without gravity", "seam is closed", "layers have crossed"})
         QVERIFY2(!says(correctBlouse(), words), reasonsOf(correctBlouse()).c_str());
 }
 
@@ -120,6 +139,19 @@ void tst_NotWorn::aPieceInsideOut() {
     const SewReport report = sewnFor(dressed, onBlouseWearer(*turned));
     QVERIFY(!report.worn->worn);
     QVERIFY2(says(report, "of the cloth has its right side out."), reasonsOf(report).c_str());
+}
+
+void tst_NotWorn::layersThatCross() {
+    Scene scene = blouseWithStripThroughIt();
+    const SewSettings settings{.seconds = dressed};
+    const std::string words = "Its layers have crossed";
+    for (const bool selfContact : {false, true}) {
+        scene.settings.selfContact = selfContact;
+        const SewReport report = sewn(scene, settings);
+        QVERIFY(report.contact.selfIntersections > 0 && !report.worn->worn);
+        QCOMPARE(report.contact.layersApart, !selfContact); // no promise is broken that was not given
+        QVERIFY2(says(report, words) == selfContact, reasonsOf(report).c_str());
+    }
 }
 
 void tst_NotWorn::withoutGravity() {
