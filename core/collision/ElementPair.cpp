@@ -77,6 +77,33 @@ Separation separationOf(const ElementPair& pair, std::span<const Vec3> positions
     return found;
 }
 
+bool stayApart(const ElementPair& pair, std::span<const Vec3> from, std::span<const Vec3> to, double least) {
+    constexpr int mostLooks = 500;
+    constexpr double doubt = 1.01;
+    const ElementPair local{{0, 1, 2, 3}, pair.firstCount};
+    std::array<Vec3, 4> now, ways;
+    for (int i = 0; i < 4; ++i) {
+        now[i] = from[pair.vertices[i]];
+        ways[i] = to[pair.vertices[i]] - now[i];
+    }
+    double time = 0;
+    for (int look = 0; look < mostLooks; ++look) {
+        const Separation found = separationOf(local, now);
+        if (!(found.distance > doubt * least)) return false;
+        const Vec3 direction = found.way / found.distance;
+        double further = 1; // until a corner of one is nearer than `least` to one of the other along the shortest way
+        for (int i = 0; i < pair.firstCount; ++i)
+            for (int k = pair.firstCount; k < 4; ++k)
+                if (const double nearing = dot(direction, ways[k] - ways[i]); nearing > 0)
+                    further = std::min(further, (dot(direction, now[i] - now[k]) - least) / nearing);
+        if (!(further > 0)) return false; // rounding: of edges as good as parallel this way is not the shortest
+        time += further;
+        if (!(time < 1)) return true;
+        for (int i = 0; i < 4; ++i) now[i] = lerp(from[pair.vertices[i]], to[pair.vertices[i]], time);
+    }
+    return false;
+}
+
 bool segmentPierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 normal = cross(b - a, c - a);
     const double before = dot(normal, p - a), after = dot(normal, q - a);

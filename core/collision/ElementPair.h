@@ -40,6 +40,12 @@ struct Separation {
     return nearest - farthest;
 }
 
+/// Whether the elements of a pair stay farther apart than `least` > 0 [m] while their vertices go straight and evenly
+/// from one place to the other: as long as they do along the shortest way of now, then along that of then, and so on.
+/// In doubt, as where they come within a hundredth of it, false. Ref: Mirtich 1996 (conservative advancement)
+[[nodiscard]] bool stayApart(const ElementPair& pair, std::span<const Vec3> from, std::span<const Vec3> to,
+                             double least);
+
 /// Whether the segment (p, q) passes through the triangle (a, b, c), border included, and does not lie in its
 /// plane.
 [[nodiscard]] bool segmentPierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c);

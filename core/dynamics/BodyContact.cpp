@@ -105,7 +105,8 @@ std::size_t BodyContact::bytes() const {
            (pushed_.capacity() + left_.capacity()) * sizeof(Vec3) + tracker_.bytes() +
            (pushing_ ? sizeof(Pushing) + pushing_->distance.bytes() +
                            pushing_->patches.capacity() * sizeof(collision::SmoothDistance::Patch) +
-                           pushing_->anchors.capacity() * sizeof(Vec3) + pushing_->near.capacity() * sizeof(int)
+                           pushing_->anchors.capacity() * sizeof(Vec3) + pushing_->near.capacity() * sizeof(int) +
+                           pushing_->normalForceBefore.capacity() * sizeof(double)
                      : 0);
 }
 

@@ -84,6 +84,7 @@ public:
     /// Normal forces and directions that friction rests on. It pulls back to anchors: where the samples were at the
     /// first call after a position-based substep, dragged along by what slips in implicit and explicit steps.
     void fixFriction(std::span<const Vec3> positions) override;
+    void easeFriction(double part) override;
     /// In statics, the first times that friction is fixed anew, what presses is kept farther by its dent, so that it
     /// comes to rest at its distance (method of multipliers).
     void take(const Motion& motion) override;
@@ -130,6 +131,7 @@ private:
         std::vector<collision::SmoothDistance::Patch> patches; ///< one per sample
         std::vector<Vec3> anchors; ///< one per sample; empty until friction is fixed after a position-based substep
         std::vector<int> near;     ///< samples that may touch in this iteration
+        std::vector<double> normalForceBefore; ///< one per sample: before friction was fixed last [N]
     };
 
     [[nodiscard]] std::span<const Term> termsOf(const Sample& sample) const {

@@ -78,6 +78,7 @@ BodyContact::Pushing& BodyContact::pushing() {
         pushing_.reset(new Pushing{collision::SmoothDistance(tracker_.body(), settings_.lattice),
                                    std::vector<collision::SmoothDistance::Patch>(samples_.size()),
                                    {},
+                                   {},
                                    {}});
     return *pushing_;
 }
@@ -90,6 +91,8 @@ void BodyContact::fixFriction(std::span<const Vec3> positions) {
     const bool begins = std::exchange(beginsStatics_, false) || first || knows;
     const bool takesBack = !begins && takings_ > 0;
     if (takesBack) --takings_;
+    pushing_->normalForceBefore.clear();
+    for (const Sample& sample : samples_) pushing_->normalForceBefore.push_back(sample.normalForce);
     for (int s = 0; s < static_cast<int>(samples_.size()); ++s) {
         Sample& sample = samples_[s];
         const Vec3 now = at(sample, positions);
@@ -107,6 +110,11 @@ void BodyContact::fixFriction(std::span<const Vec3> positions) {
                 pushOf(dent, sample.stiffness, settings_.onset, roomOf(sample)).force * length(surface.gradient);
         if (takesBack) sample.takenBack = std::clamp(dent, 0.0, settings_.onset);
     }
+}
+
+void BodyContact::easeFriction(double part) {
+    for (std::size_t s = 0; s < samples_.size(); ++s)
+        samples_[s].normalForce = std::lerp(pushing_->normalForceBefore[s], samples_[s].normalForce, part);
 }
 
 /// A few times and no farther than the push has its full stiffness: between two limbs there may be no place for the

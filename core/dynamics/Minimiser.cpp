@@ -27,6 +27,9 @@ tl::unexpected<Error> stepless(const BlockSolver& solver) {
 
 /// Friction is fixed anew when the residual has fallen to this part of what it was then [–].
 constexpr double frictionEvery = 0.1;
+/// Where that leaves more than this part of the force of the time before, the two do not come nearer to each other, as
+/// where cloth slides to and fro; from then on friction goes half as far, and this far at least [–].
+constexpr double hardlyNearer = 0.7, leastEase = 0.1;
 
 bool allFinite(std::span<const Vec3> values) {
     return std::ranges::all_of(values, [](const Vec3& v) { return isFinite(v); });
@@ -49,6 +52,7 @@ private:
     [[nodiscard]] bool advance(std::span<Vec3> x, const Potential::Measured& now, const TrustedStep& step,
                                MinimiserIteration& log);
     void judgeLast(double energyNow);
+    [[nodiscard]] Potential::Measured measuredWithFrictionAnew(std::span<const Vec3> x, double enough);
 
     const Potential& potential_;
     const BlockSolver& solver_;
@@ -58,6 +62,9 @@ private:
     std::optional<TakenStep> last_;  ///< not judged yet
     std::vector<double> climbed_{0}; ///< sums of the changes of Φ up to the last iterations, each step by its
                                      ///< own Φ: stages change their part of it in between
+    double ease_ = 1;                ///< how far friction goes from what it was to what it rests on [–]
+    bool fresh_ = true;              ///< it rests on the forces of here
+    double unbalanced_ = std::numeric_limits<double>::infinity(); ///< largest force when it was fixed last [N]
 };
 
 /// Judges the last step by what it truly brought: stages that look again, at contact planes and friction, may
@@ -67,6 +74,18 @@ void Run::judgeLast(double energyNow) {
     const double surprise = energyNow - last_->energy;
     steps_->judge(*last_, surprise, (last_->gain - surprise) / last_->expected);
     last_.reset();
+}
+
+/// With friction of here, or a part of the way to it where the forces are more than enough.
+Potential::Measured Run::measuredWithFrictionAnew(std::span<const Vec3> x, double enough) {
+    for (Stage* stage : potential_.stages()) stage->fixFriction(x);
+    const Potential::Measured now = potential_.measuredAt(x);
+    if (now.largest > enough && now.largest > hardlyNearer * unbalanced_) ease_ = std::max(0.5 * ease_, leastEase);
+    unbalanced_ = now.largest;
+    fresh_ = now.largest <= enough || ease_ == 1;
+    if (fresh_) return now;
+    for (Stage* stage : potential_.stages()) stage->easeFriction(ease_);
+    return potential_.measuredAt(x);
 }
 
 /// Armijo line search along the step, against the worst Φ of the last iterations: stiff cloth turns on curved
@@ -113,29 +132,27 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, const Progress& progres
     double lastResidual = 0;
     int failures = 0;
     for (Stage* stage : potential_.stages()) stage->fixFriction(x);
-    bool fresh = true;        // friction rests on the forces of here
-    double freshResidual = 0; // where it last did
-    for (;; ++out.iterations) {
+    double fixedResidual = 0; // when friction was fixed last
+    for (bool fixed = true;; ++out.iterations, fixed = false) {
         for (Stage* stage : potential_.stages()) stage->beginIteration(x);
         Potential::Measured now = potential_.measuredAt(x);
         judgeLast(now.energy);
-        if (!fresh && now.largest / scale <= std::max(goal, frictionEvery * freshResidual)) {
-            for (Stage* stage : potential_.stages()) stage->fixFriction(x);
-            now = potential_.measuredAt(x);
-            fresh = true;
+        if (!fresh_ && now.largest / scale <= std::max(goal, frictionEvery * fixedResidual)) {
+            now = measuredWithFrictionAnew(x, goal * scale);
+            fixed = true;
         }
         if (stop_.stop_requested()) return stopped();
         if (!allFinite(now.forces) || !std::isfinite(now.energy))
             return fail(ErrorCode::notConverged, fmt::format("The force on particle {} is no number in iteration {}.",
                                                              now.worst, out.iterations));
         const double residual = now.largest / scale;
-        if (fresh) freshResidual = residual;
-        if (residual < bestResidual) {
+        if (fixed) fixedResidual = residual;
+        if (residual < bestResidual && (fresh_ || !fixed)) {
             bestResidual = residual;
             best.assign(x.begin(), x.end());
             out.worstParticle = now.worst;
         }
-        if (fresh && residual <= goal) break;
+        if (fresh_ && residual <= goal) break;
         if (out.iterations == settings_.maximumIterations || failures > 10) break;
         if (out.iterations == 0) firstResidual = residual;
         if (potential_.inertia() == 0)
@@ -153,7 +170,7 @@ Result<MinimiserReport> Run::minimise(std::span<Vec3> x, const Progress& progres
         out.gradientIterations += log.gradientIterations;
         if (advance(x, now, *step, log)) {
             failures = 0;
-            fresh = false;
+            fresh_ = false;
         } else {
             ++failures;
             steps_->trustLess();

@@ -47,8 +47,9 @@ std::size_t SelfContact::bytes() const {
     };
     return vectors * sizeof(Vec3) + flags_.capacity() + strayed_.capacity() + hasStrayed_.capacity() +
            pairs(watches_, before_.watches) + pairs(contacts_, before_.contacts) + pairs(margins_, before_.margins) +
-           rubbing_.capacity() * sizeof(Rubbing) + coming_.capacity() * sizeof(Coming) +
-           awake_.capacity() * sizeof(std::size_t) + (proximity_ ? proximity_->bytes() : 0);
+           rubbing_.capacity() * sizeof(Rubbing) + normalForceBefore_.capacity() * sizeof(double) +
+           coming_.capacity() * sizeof(Coming) + awake_.capacity() * sizeof(std::size_t) +
+           (proximity_ ? proximity_->bytes() : 0);
 }
 
 void SelfContact::beginStep(const ParticleState& state, double duration) {

@@ -71,6 +71,7 @@ public:
     void hold(std::span<const Vec3> from, std::span<Vec3> positions) override;
 
     void fixFriction(std::span<const Vec3> positions) override;
+    void easeFriction(double part) override;
     /// Finds the pairs within reach. Until the next call no particle can move farther than staticMove, or a part of
     /// it where pairs would be too many, and no pair can cross: the energy is infinite there.
     void beginIteration(std::span<const Vec3> positions) override;
@@ -200,6 +201,7 @@ private:
 
     // SelfContactStatics.cpp
     void keepNeighbours(std::span<const Vec3> positions);
+    void listRubbing();
     void seekForStatics(std::span<const Vec3> positions);
     [[nodiscard]] double stiffnessOf(const Watch& watch) const;
     [[nodiscard]] double storedAt(const Watch& watch, double distance) const;
@@ -245,14 +247,15 @@ private:
     double frame_ = 0;                  ///< duration of the step [s]
     double seenUntil_ = 0;              ///< the end of the last substep [s]
     int searches_ = 0, renewals_ = 0, shortSearches_ = 0, heldBack_ = 0;
-    std::vector<std::size_t> touching_; ///< pairs to be pushed in this substep, or to be held apart
-    std::vector<Vec3> wanted_;          ///< where particles would go before their ways are shortened [m]
-    std::vector<double> fraction_;      ///< of its way that a particle goes; empty until one is shortened
-    std::vector<Rubbing> rubbing_;      ///< of statics
-    std::vector<Vec3> iterationStart_;  ///< of statics [m]
-    std::vector<Coming> coming_;        ///< of statics, since the iteration began
-    bool isComingKnown_ = false;        ///< and of the pairs that are watched
-    std::vector<Vec3> anchors_;         ///< where particles were at the start of statics; empty until then [m]
+    std::vector<std::size_t> touching_;     ///< pairs to be pushed in this substep, or to be held apart
+    std::vector<Vec3> wanted_;              ///< where particles would go before their ways are shortened [m]
+    std::vector<double> fraction_;          ///< of its way that a particle goes; empty until one is shortened
+    std::vector<Rubbing> rubbing_;          ///< of statics
+    std::vector<double> normalForceBefore_; ///< one per watch: before friction was fixed last [N]
+    std::vector<Vec3> iterationStart_;      ///< of statics [m]
+    std::vector<Coming> coming_;            ///< of statics, since the iteration began
+    bool isComingKnown_ = false;            ///< and of the pairs that are watched
+    std::vector<Vec3> anchors_;             ///< where particles were at the start of statics; empty until then [m]
 };
 
 /// Of every pair awake in every substep, and therefore inline: by what its ends have moved against each other since

@@ -14,6 +14,7 @@ namespace {
 using collision::gapAlong;
 using collision::Separation;
 using collision::separationOf;
+using collision::stayApart;
 
 /// Less is no force [N]: a thousandth of the weight of 10 mm² of light cloth.
 constexpr double leastForce = 1e-8;
@@ -73,20 +74,33 @@ void SelfContact::keepNeighbours(std::span<const Vec3> positions) {
 void SelfContact::fixFriction(std::span<const Vec3> positions) {
     const bool first = anchors_.empty();
     keepNeighbours(positions);
-    rubbing_.clear();
+    normalForceBefore_.clear();
     for (std::size_t i = 0; i < watches_.size(); ++i) {
         const Watch& watch = watches_[i];
         Contact& contact = contacts_[i];
+        normalForceBefore_.push_back(contact.normalForce);
         const bool touches = leastDistance(watch, positions) < watch.target;
         if (touches || contact.normalForce > 0) look(watch, contact, positions);
         if (!first)
             contact.normalForce = touches && contact.start > noDistance
                                       ? shareOf(watch.elements, positions).value * pressureAt(watch, contact.start)
                                       : 0;
-        if (contact.normalForce < leastForce || contact.start <= noDistance) continue;
-        rubbing_.push_back(
-            {watch.elements.vertices, contact.weights, contact.direction, contact.friction * contact.normalForce});
     }
+    listRubbing();
+}
+
+void SelfContact::easeFriction(double part) {
+    for (std::size_t i = 0; i < contacts_.size(); ++i)
+        contacts_[i].normalForce = std::lerp(normalForceBefore_[i], contacts_[i].normalForce, part);
+    listRubbing();
+}
+
+void SelfContact::listRubbing() {
+    rubbing_.clear();
+    for (std::size_t i = 0; i < watches_.size(); ++i)
+        if (const Contact& contact = contacts_[i]; contact.normalForce >= leastForce && contact.start > noDistance)
+            rubbing_.push_back({watches_[i].elements.vertices, contact.weights, contact.direction,
+                                contact.friction * contact.normalForce});
 }
 
 void SelfContact::beginIteration(std::span<const Vec3> positions) {
@@ -136,7 +150,9 @@ double SelfContact::energy(std::span<const Vec3> positions) const {
     double sum = 0;
     forPressed(positions, [&](const Watch& watch, const Contact& contact) {
         const double kept = justEnough * keptOf(contact.start, settings_.staticClosest);
-        if (gapAlong(contact.direction, watch.elements, positions) < kept) sum = infinity;
+        if (gapAlong(contact.direction, watch.elements, positions) < kept &&
+            !stayApart(watch.elements, iterationStart_, positions, kept))
+            sum = infinity;
         if (sum == infinity) return;
         const double distance = separationOf(watch.elements, positions).distance;
         sum += shareOf(watch.elements, positions).value * storedAt(watch, distance);

@@ -66,6 +66,8 @@ public:
     /// Before the first Newton iteration, and again whenever the forces nearly balance: takes the normal forces that
     /// friction rests on, and in statics may act from farther, by what it has yielded.
     virtual void fixFriction(std::span<const Vec3> positions) { static_cast<void>(positions); }
+    /// After that: goes back towards the normal forces before it, so that this part of the change is left [–].
+    virtual void easeFriction(double part) { static_cast<void>(part); }
     /// Once before every Newton iteration: finds what may act in it. Until the next call of this or of fixFriction()
     /// the energy is one function of the positions.
     virtual void beginIteration(std::span<const Vec3> positions) = 0;

@@ -30,6 +30,7 @@ public:
     void fixFriction(std::span<const Vec3> positions) override {
         timed([&] { stage_->fixFriction(positions); });
     }
+    void easeFriction(double part) override { stage_->easeFriction(part); }
     void beginIteration(std::span<const Vec3> positions) override {
         timed([&] { stage_->beginIteration(positions); });
     }

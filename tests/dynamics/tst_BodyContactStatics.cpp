@@ -62,6 +62,7 @@ private slots:
     void theHessianIsNeverNegativeAndOnRoundPartsNoLessThanTheCurvature();
     void inAHollowTheHessianIsTheCurvatureOfTheEnergy();
     void inStaticsFrictionHoldsUpToTheConeAndNotBeyond();
+    void frictionGoesPartOfTheWayToTheForcesOfHere();
     void aSheetDrapesOverABallAndStaysOutsideInStatics();
     void whatPressesHardRestsAtItsDistance_data();
     void whatPressesHardRestsAtItsDistance();
@@ -155,6 +156,38 @@ void tst_BodyContactStatics::inStaticsFrictionHoldsUpToTheConeAndNotBeyond() {
             QVERIFY(x[0].x - start.x > 5e-3); // nothing holds it: it goes as far as the iterations let it
         }
     }
+}
+
+/// A sample is let go a little and moved aside.
+void tst_BodyContactStatics::frictionGoesPartOfTheWayToTheForcesOfHere() {
+    const auto body = surfaceOf(shapes::starBody(30, 40, [](const Vec3&) { return 0.1; }));
+    const Vec3 up{0, 1, 0};
+    const std::vector<Vec3> pressed{up * 0.1005}, less{up * 0.101}, aside{up * 0.101 + Vec3{1e-5, 0, 0}};
+    const auto frictionAfter = [&](auto ease) {
+        BodyContact contact(body, {sampleAt(0, 0.3)});
+        contact.take({.span = 1}); // no statics: dents are not taken back
+        contact.fixFriction(pressed);
+        contact.fixFriction(pressed);
+        contact.beginIteration(pressed);
+        ease(contact);
+        std::vector<Vec3> forces(1);
+        contact.addForces(aside, forces);
+        contact.addForces(less, forces); // what the push has aside is the smaller part
+        return -forces[0].x;
+    };
+    const auto going = [&](double part) {
+        return frictionAfter([&](BodyContact& contact) {
+            contact.fixFriction(less);
+            contact.easeFriction(part);
+        });
+    };
+    const double before = frictionAfter([](BodyContact&) {}), whole = going(1);
+    const double half = going(0.5);
+    QVERIFY2(before > whole, qPrintable(QString("%1 %2").arg(before).arg(whole)));
+    QVERIFY(std::abs(whole - frictionAfter([&](BodyContact& contact) { contact.fixFriction(less); })) <
+            1e-9 * (before - whole));
+    QVERIFY(std::abs(going(0) - before) < 1e-3 * (before - whole));
+    QVERIFY(std::abs(half - std::midpoint(before, whole)) < 1e-3 * (before - whole));
 }
 
 void tst_BodyContactStatics::aSheetDrapesOverABallAndStaysOutsideInStatics() {

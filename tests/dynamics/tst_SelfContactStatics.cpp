@@ -30,7 +30,18 @@ Cloth turnedCells(double height, double angle) {
     return cloth;
 }
 
-/// The same, shaken a little.
+/// Two cells of which the upper one lies over a border of the lower, and goes on beyond it.
+Cloth overlappingCells(double height) {
+    Cloth cloth;
+    append(cloth, 0.01, 1, 0.01, 1, 0.3, [](const Vec2& m) { return Vec3{m.x, 0, -m.y}; });
+    append(cloth, 0.01, 1, 0.01, 1, 0.3, [&](const Vec2& m) {
+        const Vec2 p = geometry::rotated(m, 0.1);
+        return Vec3{p.x + 0.0095, height, -p.y};
+    });
+    return cloth;
+}
+
+/// The same as the turned cells, shaken a little.
 Cloth pressedCells(double height, std::mt19937& random, double angle = 0.4) {
     Cloth cloth = turnedCells(height, angle);
     for (Vec3& p : cloth.state.positions) p += randomStep(random, 2e-5);
@@ -73,6 +84,8 @@ private slots:
     void theHessianIsTheCurvatureAcrossTheLayersAndNeverNegative();
     void theEnergyIsInfiniteWhereLayersWouldCross();
     void layersThatSubstepsPressedToTheLeastDistanceCanMove();
+    void layersThatSubstepsPressedToTheLeastDistanceCanTilt();
+    void frictionGoesPartOfTheWayToTheForcesOfHere();
     void aSheetComesToRestOnAnother();
 };
 
@@ -206,6 +219,49 @@ void tst_SelfContactStatics::layersThatSubstepsPressedToTheLeastDistanceCanMove(
     QVERIFY(contact.energy(x) > before && std::isfinite(contact.energy(x)));
     for (int p = 4; p < 8; ++p) x[p].y = 0.05 * least;
     QCOMPARE(contact.energy(x), std::numeric_limits<double>::infinity());
+}
+
+/// By more than their distance, where no plane between them would do for the start and the end of the way.
+void tst_SelfContactStatics::layersThatSubstepsPressedToTheLeastDistanceCanTilt() {
+    const double least = dynamics::SelfContactSettings{}.closest, slope = 500 * least; // [1/m]
+    Cloth cloth = overlappingCells(least);
+    SelfContact contact(cloth.model, cloth.surface);
+    contact.beginIteration(cloth.state.positions);
+    const auto tilted = [&](double height) { // over the border of the lower cell, lower at the far end
+        auto x = cloth.state.positions;
+        for (int p = 4; p < 8; ++p) x[p].y = height - slope * (x[p].x - 0.01);
+        return x;
+    };
+    const std::vector<Vec3> apart = tilted(0.9 * least), through = tilted(-0.1 * least);
+    QVERIFY(apart[5].y < -3 * least);
+    QVERIFY(std::isfinite(contact.energy(apart)));
+    QCOMPARE(contact.energy(through), std::numeric_limits<double>::infinity());
+}
+
+/// The upper cell is let go a little and moved aside.
+void tst_SelfContactStatics::frictionGoesPartOfTheWayToTheForcesOfHere() {
+    Cloth cloth = turnedCells(0.5 * thickness, 0.4);
+    std::vector<Vec3> less = cloth.state.positions;
+    for (int p = 4; p < 8; ++p) less[p].y += 0.1 * thickness;
+    std::vector<Vec3> aside = less;
+    for (int p = 4; p < 8; ++p) aside[p].x += 1e-5;
+    const auto frictionAfter = [&](auto ease) {
+        SelfContact contact(cloth.model, cloth.surface);
+        begin(contact, cloth.state.positions);
+        ease(contact);
+        return contact.energy(aside) - contact.energy(less);
+    };
+    const auto going = [&](double part) {
+        return frictionAfter([&](SelfContact& contact) {
+            contact.fixFriction(less);
+            contact.easeFriction(part);
+        });
+    };
+    const double before = frictionAfter([](SelfContact&) {}), none = going(0), whole = going(1);
+    QVERIFY(whole > 0 && before > 1.2 * whole);
+    QVERIFY(std::abs(whole - frictionAfter([&](SelfContact& contact) { contact.fixFriction(less); })) < 1e-9 * whole);
+    QVERIFY(std::abs(none - before) < 0.05 * before); // forces of before, along directions of here
+    QVERIFY(std::abs(going(0.25) - std::lerp(none, whole, 0.25)) < 1e-6 * before);
 }
 
 void tst_SelfContactStatics::aSheetComesToRestOnAnother() {

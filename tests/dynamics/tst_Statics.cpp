@@ -6,6 +6,7 @@
 #include "core/dynamics/Statics.h"
 #include "core/dynamics/Xpbd.h"
 #include "tests/Suite.h"
+#include "tests/dynamics/IdleStage.h"
 #include "tests/dynamics/Specimen.h"
 
 #include <QTest>
@@ -47,6 +48,34 @@ geometry::TriangleMesh ball(double radius, int n) {
         }
     return geometry::welded(mesh, 1e-9);
 }
+
+/// Pulls particle 0 up and down: a spring to y = 0, and beside it a push of its own that answers, each time that
+/// friction is fixed, one and a half times as strongly as the spring, as friction may that cloth slides on.
+struct Answering final : dynamics::IdleStage {
+    static constexpr double stiffness = 1, answer = 1.5 * stiffness, load = 0.01; // [N/m], [N]
+    explicit Answering(bool canEase) : eases(canEase) {}
+
+    void fixFriction(std::span<const Vec3> x) override {
+        before = push;
+        push = load - answer * x[0].y;
+    }
+    void easeFriction(double part) override {
+        if (eases) push = std::lerp(before, push, part);
+    }
+    [[nodiscard]] double energy(std::span<const Vec3> x) const override {
+        return 0.5 * stiffness * squaredLength(x[0]) - push * x[0].y;
+    }
+    void addForces(std::span<const Vec3> x, std::span<Vec3> forces) const override {
+        forces[0] += Vec3{0, push, 0} - stiffness * x[0];
+    }
+    void addHessian(std::span<const Vec3>, dynamics::HessianSink& sink) const override {
+        const double block[9] = {stiffness, 0, 0, 0, stiffness, 0, 0, 0, stiffness};
+        sink.add(0, 0, block);
+    }
+
+    bool eases;
+    double before = 0, push = 0; // [N]
+};
 
 /// Does nothing but count what is asked of it, and ask for a stop at one of these questions.
 struct Stopper : dynamics::Stage {
@@ -93,6 +122,20 @@ class tst_Statics : public QObject {
     Q_OBJECT
 
 private slots:
+    void frictionThatAnswersTooStronglyIsEased() {
+        for (const bool eases : {false, true}) {
+            Specimen s;
+            s.model.mass = {1e-3};
+            s.state.positions = s.state.velocities = {{}};
+            Answering stage(eases);
+            dynamics::Stage* stages[]{&stage};
+            const auto report = dynamics::solveStatic(s.model, s.state, {}, stages);
+            QVERIFY(report);
+            QCOMPARE(report->newton.converged, eases);
+            const double balance = Answering::load / (Answering::stiffness + Answering::answer);
+            QCOMPARE(std::abs(s.state.positions[0].y - balance) < 2e-5, eases);
+        }
+    }
     void aSheetOnTwoCornersComesToRestFromItsDrape_data() {
         QTest::addColumn<bool>("knit");
         QTest::addColumn<bool>("triangles");

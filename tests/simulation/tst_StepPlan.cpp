@@ -25,6 +25,7 @@ public:
     void take(const dynamics::Motion&) override { called("take", 0); }
     [[nodiscard]] bool isFromOutside() const override { return called("isFromOutside", true); }
     void fixFriction(std::span<const Vec3>) override { called("fixFriction", 0); }
+    void easeFriction(double) override { called("easeFriction", 0); }
     void beginIteration(std::span<const Vec3>) override { called("beginIteration", 0); }
     [[nodiscard]] double energy(std::span<const Vec3>) const override { return called("energy", 1.0); }
     void addForces(std::span<const Vec3>, std::span<Vec3>) const override { called("addForces", 0); }
@@ -260,6 +261,7 @@ void tst_StepPlan::everyCallReachesTheStage() {
     reaches("take", [&] { stage.take({}); });
     reaches("isFromOutside", [&] { QVERIFY(stage.isFromOutside()); });
     reaches("fixFriction", [&] { stage.fixFriction(positions); });
+    reaches("easeFriction", [&] { stage.easeFriction(0.5); });
     reaches("beginIteration", [&] { stage.beginIteration(positions); });
     reaches("energy", [&] { QCOMPARE(stage.energy(positions), 1.0); });
     reaches("addForces", [&] { stage.addForces(positions, forces); });
