@@ -50,7 +50,7 @@ Piece draftFoldedCollar(const Fabric& fabric, const body::Body& body, double len
     const double seam = top + overStand + s.height + s.pointLength;
     const Ring high = ringRound(body, seam - s.height - s.pointLength, seam + s.flare, 0.006);
     const double outside = std::max(high.radius, length / (2 * std::numbers::pi) + overStand);
-    const double behind = std::min(high.centre.z - outside, body.landmarks.nape.z - 0.035);
+    const double behind = std::min(high.centre.z - outside, body.landmarks.nape.z - 0.055);
     collar.placement = Placement{{{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, seam, behind}}, Curl{{0, 1}, -outside}};
     collar.layer = 2;
     return collar;
