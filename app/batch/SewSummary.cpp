@@ -33,6 +33,13 @@ void printLeftOut(const std::vector<simulation::LeftOut>& leftOut) {
     if (!stages.empty()) fmt::print("left out: {}\n", fmt::join(stages, ", "));
 }
 
+/// ", residual 4.6e-04", or of what lies still ", but in no equilibrium: residual 6.2e+03".
+std::string balanceOf(const simulation::SewReport& report) {
+    if (!report.residual) return "";
+    const bool onlySlow = report.ending == "at rest" && !report.atRest;
+    return fmt::format(", {}residual {:.1e}", onlySlow ? "but in no equilibrium: " : "", *report.residual);
+}
+
 double degrees(double radians) {
     return radians * 180 / std::numbers::pi;
 }
@@ -50,7 +57,7 @@ void printSummary(const simulation::SewReport& report, const SewOptions& options
                report.restWallSeconds && report.ending == "at rest"
                    ? fmt::format("{} after {:.1f} s", report.ending, *report.restWallSeconds)
                    : report.ending,
-               report.residual ? fmt::format(", residual {:.1e}", *report.residual) : "");
+               balanceOf(report));
     if (report.coarse)
         fmt::print("of it on its own mesh, of {} particles: {:.2f} s simulated in {:.1f} s; {}\n",
                    report.coarse->particles, report.coarse->simulatedSeconds, report.coarse->wallSeconds,
@@ -80,7 +87,7 @@ void printWearing(const simulation::WearingReport& wearing) {
         fmt::print("{:.1f} mm from it at the nearest, ", 1000 * *contact.bodyClearanceMinimum);
     fmt::print("{} intersections with it, {} of the cloth with itself; the hem rose by {:.0f} mm; {}{}\n",
                contact.bodyIntersections, contact.selfIntersections, 1000 * wearing.hemRise, wearing.after.ending,
-               wearing.after.residual ? fmt::format(", residual {:.1e}", *wearing.after.residual) : "");
+               balanceOf(wearing.after));
     constexpr double worthTelling = 1e-4; // [m]
     if (wearing.offItsPin > worthTelling)
         fmt::print("cloth pinned to the body was held back by other cloth, by {:.1f} mm at most\n",
