@@ -19,29 +19,19 @@ Vec3 randomStep(std::mt19937& random, double size) {
     return {any(random), any(random), any(random)};
 }
 
-/// Two cells one above the other, at a part of their thickness, one turned by an angle.
-Cloth turnedCells(double height, double angle) {
+/// Two cells of 10 mm one above the other, at a part of their thickness, the upper one turned by an angle and moved
+/// aside.
+Cloth turnedCells(double height, double angle, double aside = 0.002) {
     Cloth cloth;
     append(cloth, 0.01, 1, 0.01, 1, 0.3, [](const Vec2& m) { return Vec3{m.x, 0, -m.y}; });
     append(cloth, 0.01, 1, 0.01, 1, 0.3, [&](const Vec2& m) {
         const Vec2 p = geometry::rotated(m, angle);
-        return Vec3{p.x + 0.002, height, -p.y};
+        return Vec3{p.x + aside, height, -p.y};
     });
     return cloth;
 }
 
-/// Two cells of which the upper one lies over a border of the lower, and goes on beyond it.
-Cloth overlappingCells(double height) {
-    Cloth cloth;
-    append(cloth, 0.01, 1, 0.01, 1, 0.3, [](const Vec2& m) { return Vec3{m.x, 0, -m.y}; });
-    append(cloth, 0.01, 1, 0.01, 1, 0.3, [&](const Vec2& m) {
-        const Vec2 p = geometry::rotated(m, 0.1);
-        return Vec3{p.x + 0.0095, height, -p.y};
-    });
-    return cloth;
-}
-
-/// The same as the turned cells, shaken a little.
+/// The same, shaken a little.
 Cloth pressedCells(double height, std::mt19937& random, double angle = 0.4) {
     Cloth cloth = turnedCells(height, angle);
     for (Vec3& p : cloth.state.positions) p += randomStep(random, 2e-5);
@@ -224,7 +214,7 @@ void tst_SelfContactStatics::layersThatSubstepsPressedToTheLeastDistanceCanMove(
 /// By more than their distance, where no plane between them would do for the start and the end of the way.
 void tst_SelfContactStatics::layersThatSubstepsPressedToTheLeastDistanceCanTilt() {
     const double least = dynamics::SelfContactSettings{}.closest, slope = 500 * least; // [1/m]
-    Cloth cloth = overlappingCells(least);
+    Cloth cloth = turnedCells(least, 0.1, 0.0095); // over a border of the lower, and on beyond it
     SelfContact contact(cloth.model, cloth.surface);
     contact.beginIteration(cloth.state.positions);
     const auto tilted = [&](double height) { // over the border of the lower cell, lower at the far end
