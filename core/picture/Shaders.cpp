@@ -159,12 +159,17 @@ void main() {
 
 const ShaderSources line{.vertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
-uniform mat4 view;
-uniform float towardsEye; // lines lie in front of the surface they belong to [m]
+uniform mat4 view, projection;
+uniform vec2 size; // of the picture [px]
+uniform float width; // [px]
+uniform float towardsEye; // lines lie so far in front of the surface they belong to at most [m]
 out vec3 seen;
 void main() {
     vec3 p = (view * vec4(position, 1.0)).xyz;
-    seen = p * (1.0 - min(towardsEye / max(length(p), 1e-6), 0.5));
+    float pixel = 2.0 * max(-p.z, 0.0) / (projection[1][1] * size.y); // [m]
+    // Half as far as they are wide: what is seen slantwise hides none of them, nor are they seen through other cloth.
+    float before = min(towardsEye, 0.5 * (width + 1.0) * pixel);
+    seen = p * (1.0 - min(before / max(length(p), 1e-6), 0.5));
 }
 )",
                          .geometry = R"(#version 330 core

@@ -30,6 +30,9 @@ bool isReddish(Pixel p) {
 bool isBluish(Pixel p) {
     return p.b > 1.3 * p.r && p.b > 1.1 * p.g;
 }
+bool isGreen(Pixel p) {
+    return p.g > p.r + 60 && p.g > p.b + 60;
+}
 int saturation(Pixel p) {
     return std::max({p.r, p.g, p.b}) - std::min({p.r, p.g, p.b});
 }
@@ -64,6 +67,14 @@ RenderScene sceneOf(const std::vector<Square>& squares) {
     return scene;
 }
 
+void addSeam(RenderScene& scene, std::vector<std::array<int, 2>> pairs) {
+    simulation::Frame frame = **scene.frame;
+    simulation::FrameTopology topology = *frame.topology;
+    topology.seams = {std::move(pairs)};
+    frame.topology = Shared(std::move(topology));
+    scene.frame = Shared(std::move(frame));
+}
+
 const Camera fromFront{.target = {0, 0, 0}, .distance = 1, .fovY = 0.5};
 const Camera fromBehind = lookingFrom(ViewDirection::back, fromFront);
 
@@ -84,6 +95,8 @@ private slots:
     void aRegionIsTinted();
     void seamsAreDrawnInTheirColour();
     void seamsBehindThePieceAreHidden();
+    void seamsUnderALayerAreHiddenWhereOneLooksClosely();
+    void seamsOfWhatIsSeenSlantwiseAreWhole();
     void meshLinesAppearWhenAskedFor();
     void overlayIsSeenThroughEverything();
     void bodyAndClothCanBeLeftOut();
@@ -217,13 +230,8 @@ void tst_Rendering::aRegionIsTinted() {
 
 void tst_Rendering::seamsAreDrawnInTheirColour() {
     RenderScene scene = sceneOf({{"red", {-0.105, 0, 0}}, {"blue", {0.105, 0, 0}}}); // 10 mm apart
-    simulation::Frame frame = **scene.frame;
-    simulation::FrameTopology topology = *frame.topology;
-    topology.seams = {{{1, 4}, {2, 7}}};
-    frame.topology = Shared(std::move(topology));
-    scene.frame = Shared(frame);
+    addSeam(scene, {{1, 4}, {2, 7}});
     scene.seamColours = {{0.1f, 0.9f, 0.1f}};
-    const auto isGreen = [](Pixel p) { return p.g > p.r + 60 && p.g > p.b + 60; };
     const auto edge = worldToScreen(fromFront, small, {-0.005, 0.02, 0})->pixel;
     const auto greenAtEdge = [&] {
         const Image image = draw(scene);
@@ -239,15 +247,43 @@ void tst_Rendering::seamsAreDrawnInTheirColour() {
 
 void tst_Rendering::seamsBehindThePieceAreHidden() {
     RenderScene scene = sceneOf({{"red", {0, 0, 0.01}, 0.15}, {"blue", {0, 0, 0}}});
-    simulation::Frame frame = **scene.frame;
-    simulation::FrameTopology topology = *frame.topology;
-    topology.seams = {{{4, 6}, {5, 7}}};
-    frame.topology = Shared(std::move(topology));
-    scene.frame = Shared(frame);
+    addSeam(scene, {{4, 6}, {5, 7}});
     RenderScene without = scene;
     without.options.seams = false;
     QVERIFY(draw(scene) == draw(without));
     QVERIFY(draw(scene, fromBehind) != draw(without, fromBehind));
+}
+
+void tst_Rendering::seamsUnderALayerAreHiddenWhereOneLooksClosely() {
+    RenderScene scene = sceneOf({{"red", {0, 0, 0.001}, 0.02}, {"blue", {}, 0.01}});
+    addSeam(scene, {{4, 4}, {6, 6}}); // along the diagonal
+    RenderScene without = scene;
+    without.options.seams = false;
+    const Camera close{.target = {}, .distance = 0.1, .fovY = 0.5};
+    QVERIFY(draw(scene, close) == draw(without, close));
+    const Camera behind = lookingFrom(ViewDirection::back, close);
+    QVERIFY(draw(scene, behind) != draw(without, behind));
+}
+
+void tst_Rendering::seamsOfWhatIsSeenSlantwiseAreWhole() {
+    RenderScene scene = sceneOf({{"blue", {}, 0.01}});
+    addSeam(scene, {{0, 0}, {2, 2}}); // along the diagonal
+    scene.seamColours = {{0.1f, 0.9f, 0.1f}};
+    RenderScene onTop = scene;
+    onTop.options.seams = false;
+    onTop.overlay = {
+        {.points = {{-0.01, -0.01, 0}, {0.01, 0.01, 0}}, .colour = {0.1f, 0.9f, 0.1f}, .width = 1.8, .onTop = true}};
+    for (const double distance : {0.05, 0.1, 0.3, 1.0}) {
+        const Camera slantwise{.target = {}, .distance = distance, .yaw = 1.2, .fovY = 0.5};
+        const auto green = [&](const RenderScene& s) {
+            const Image image = draw(s, slantwise);
+            int count = 0;
+            for (int y = 0; y < image.height; ++y)
+                for (int x = 0; x < image.width; ++x) count += isGreen(pixelAt(image, x, y)) ? 1 : 0;
+            return count;
+        };
+        QVERIFY(green(scene) > 0.9 * green(onTop));
+    }
 }
 
 void tst_Rendering::meshLinesAppearWhenAskedFor() {
