@@ -63,6 +63,8 @@ public:
     virtual void take(const Motion& motion) { static_cast<void>(motion); }
     /// Whether its forces may put energy in, so that none that it gives stands for them over a step.
     [[nodiscard]] virtual bool isFromOutside() const { return false; }
+    /// Whether project() comes before the sweep over the cloth, and so acts on the way that is foreseen.
+    [[nodiscard]] virtual bool isBeforeSweep() const { return isFromOutside(); }
     /// Before the first Newton iteration, and again whenever the forces nearly balance: takes the normal forces that
     /// friction rests on, and in statics may act from farther, by what it has yielded.
     virtual void fixFriction(std::span<const Vec3> positions) { static_cast<void>(positions); }

@@ -36,7 +36,7 @@ void StrainDamping::project(Substep& substep) {
             mobility += substep.inverseMass[p] * squaredLength(strain.gradient[i]);
         }
         if (mobility == 0 || way == 0) continue;
-        const double resisted = std::min(1.0, h * time_ * strain.stiffness * mobility);
+        const double resisted = h * time_ * strain.stiffness * mobility;
         const double back = way * resisted / (1 + resisted) / mobility;
         for (int i = 0; i < 4; ++i)
             if (const int p = strain.particles[i]; p >= 0)

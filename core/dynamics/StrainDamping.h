@@ -20,9 +20,10 @@ public:
     [[nodiscard]] std::string_view name() const override { return "strain damping"; }
     [[nodiscard]] std::size_t bytes() const override { return strains_.capacity() * sizeof(cloth::StrainGradient); }
     void beginStep(const ParticleState&, double) override { motion_ = {}; }
-    /// Dashpot by dashpot: R → R/(1 + h·β·k·w) for the way R of a strain in the substep, and not below a half: stiff
-    /// dashpots want many sweeps, and in one they would hold up what springs bring back.
+    /// Dashpot by dashpot: R → R/(1 + h·β·k·w) for the way R of a strain that is foreseen. What is foreseen is damped,
+    /// and not what the sweep makes of it: the sweep then begins with less energy, however strong they are.
     void project(Substep& substep) override;
+    [[nodiscard]] bool isBeforeSweep() const override { return true; }
 
     [[nodiscard]] bool isDissipative() const override { return true; }
     void take(const Motion& motion) override { motion_ = motion; }

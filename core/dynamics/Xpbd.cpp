@@ -26,7 +26,7 @@ struct Xpbd::Data {
 
     void compileFor(double h);
     void predict(ParticleState& state, double h, const Vec3& gravity);
-    void runStages(ParticleState& state, double h, double time, std::span<Stage* const> stages, bool fromOutside);
+    void runStages(ParticleState& state, double h, double time, std::span<Stage* const> stages, bool beforeSweep);
     void handSlavesToMasters(std::span<Vec3> positions) const;
     void updateVelocities(ParticleState& state, double h) const;
 
@@ -110,12 +110,13 @@ void Xpbd::Data::predict(ParticleState& state, double h, const Vec3& gravity) {
     eliminated.place(state.positions);
 }
 
-/// Those from outside act with gravity, before the sweep: what answers them is then the cloth's true stiffness.
+/// Those from outside act with gravity, before the sweep: what answers them is then the cloth's true stiffness. So does
+/// what damps the way that is foreseen.
 void Xpbd::Data::runStages(ParticleState& state, double h, double time, std::span<Stage* const> stages,
-                           bool fromOutside) {
+                           bool beforeSweep) {
     Substep substep{state.positions, previous, inverseMass, h, time, team};
     for (Stage* stage : stages) {
-        if (stage->isFromOutside() != fromOutside) continue;
+        if (stage->isBeforeSweep() != beforeSweep) continue;
         slavesBefore.clear();
         for (int s : eliminated.slaves()) slavesBefore.push_back(state.positions[model.slaves[s].particle]);
         stage->project(substep);

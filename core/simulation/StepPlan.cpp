@@ -27,6 +27,7 @@ public:
     }
     void take(const dynamics::Motion& motion) override { stage_->take(motion); }
     [[nodiscard]] bool isFromOutside() const override { return stage_->isFromOutside(); }
+    [[nodiscard]] bool isBeforeSweep() const override { return stage_->isBeforeSweep(); }
     void fixFriction(std::span<const Vec3> positions) override {
         timed([&] { stage_->fixFriction(positions); });
     }

@@ -30,6 +30,10 @@ Result<Simulation> undampedFrom(Simulation& simulation) {
     return undamped;
 }
 
+pattern::Pattern coarseTShirt() {
+    return samples::tShirt(mannequin().measurements, mannequin().body, {.spacing = 0.028}).value().pattern;
+}
+
 } // namespace
 
 /// What a run calls the equilibrium is one.
@@ -43,8 +47,7 @@ private slots:
         layered.settings.selfContact = true;
         QTest::newRow("blouse") << blouse;
         QTest::newRow("blouse with self-contact") << layered;
-        QTest::newRow("T-shirt") << onMannequin(
-            samples::tShirt(mannequin().measurements, mannequin().body, {.spacing = 0.028}).value().pattern);
+        QTest::newRow("T-shirt") << onMannequin(coarseTShirt());
     }
     void anUndampedGarmentStaysWhereItRests() {
         QFETCH(Scene, scene);
@@ -64,6 +67,19 @@ private slots:
         }
         qInfo("farthest %.1f mm from where it rested", 1000 * farthest);
         QVERIFY2(farthest < 0.001, qPrintable(QString("%1 mm").arg(1000 * farthest)));
+    }
+
+    void strongStrainDampingBringsToRest_data() {
+        QTest::addColumn<double>("time");
+        for (const double time : {0.01, 0.1, 1.0}) QTest::addRow("%g s", time) << time;
+    }
+    void strongStrainDampingBringsToRest() {
+        QFETCH(double, time);
+        Scene scene = onMannequin(coarseTShirt());
+        scene.settings.strainDamping = time;
+        const SewReport report = sewn(scene);
+        QVERIFY(report.atRest);
+        QVERIFY2(report.worn->worn, reasonsOf(report).c_str());
     }
 
     /// The sample shirt on cells of 28 mm: where its collar is crumpled on its stand, it trembles for as long as it is
