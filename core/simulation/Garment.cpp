@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/Garment.h"
 
+#include "core/base/Contracts.h"
 #include "core/cloth/Patch.h"
 #include "core/pattern/PatternFabrics.h"
 #include "core/simulation/DrawnUp.h"
@@ -77,6 +78,7 @@ Result<void> pinParticles(Garment& garment, const Pattern& pattern) {
 
 cloth::StiffnessFactors factorsOf(const Piece& piece, int region) {
     if (region < 0) return {};
+    expects(region < std::ssize(piece.regions), "the piece that has the region: of a mirror image, its source");
     const pattern::StiffnessFactors& f = piece.regions[region].stiffness;
     return {f.stretch, f.shear, f.bending};
 }

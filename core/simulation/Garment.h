@@ -28,7 +28,8 @@ struct Garment {
     std::optional<cloth::PaperReport> paper = {}; ///< of springs alone
 };
 
-/// Of the cloth in a region; outside all regions (negative) those of the fabric itself.
+/// Of the cloth in a region of a piece that is no mirror image; outside all regions (negative) those of the fabric
+/// itself.
 [[nodiscard]] cloth::StiffnessFactors factorsOf(const pattern::Piece& piece, int region);
 
 /// Builds the cloth; of the paper's springs alone if that is asked. Errors name the fabric or pin that is wrong.

@@ -4,6 +4,7 @@
 #include "core/dynamics/Eliminated.h"
 #include "core/meshing/DisplayElements.h"
 #include "core/pattern/PatternFabrics.h"
+#include "core/pattern/PatternMeasures.h"
 
 namespace toile::simulation {
 namespace {
@@ -30,10 +31,10 @@ dynamics::LevelMesh levelMeshOf(const pattern::Pattern& pattern, const meshing::
     for (std::size_t i = 0; i < mesh.pieces.size(); ++i) {
         const meshing::PieceMesh& piece = mesh.pieces[i];
         const material::Fabric fabric = *pattern::clothOf(pattern, *pattern.pieces[i]);
+        const pattern::Piece& shape = *pattern::shapeOf(pattern, *pattern.pieces[i]); // which has the regions
         const std::vector<int> elements = meshing::displayElements(piece);
         for (std::size_t at = 0; at < elements.size(); ++at) {
-            const cloth::StiffnessFactors factors =
-                factorsOf(*pattern.pieces[i], meshing::regionOf(piece, elements[at]));
+            const cloth::StiffnessFactors factors = factorsOf(shape, meshing::regionOf(piece, elements[at]));
             dynamics::LevelTriangle t{.patch = static_cast<int>(i),
                                       .weft = factors.stretch * fabric.weftStiffness,
                                       .warp = factors.stretch * fabric.warpStiffness,

@@ -106,6 +106,32 @@ private slots:
         }
     }
 
+    /// A mirror image has no regions of its own: its cloth is that of its source's.
+    void aMirrorImageIsAsStiffAsItsSource() {
+        pattern::Pattern pattern;
+        pattern.fabrics.push_back(plainCloth());
+        pattern::Piece left = polygonPiece("left", {{0, 0}, {0.2, 0}, {0.2, 0.2}, {0, 0.2}}, 0.02);
+        left.regions.push_back({.id = pattern::RegionId("box"),
+                                .outline = {{0.04, 0.04}, {0.16, 0.04}, {0.16, 0.16}, {0.04, 0.16}},
+                                .stiffness = {.stretch = 3}});
+        pattern::Piece image;
+        image.id = pattern::PieceId("right");
+        image.fabric = left.fabric;
+        image.mirror = pattern::MirrorOf{left.id};
+        pattern.pieces = {Shared<pattern::Piece>(left), Shared<pattern::Piece>(image)};
+        const auto input = meshInputOf(pattern);
+        QVERIFY(input);
+        const auto mesh = meshing::meshGarment(*input);
+        QVERIFY(mesh);
+        std::array<double, 2> warp{}, area{};
+        for (const auto& t : levelMeshOf(pattern, *mesh, {}).triangles) {
+            warp[t.patch] += areaOf(t) * t.warp;
+            area[t.patch] += areaOf(t);
+        }
+        QVERIFY(warp[0] > 1.2 * area[0] * plainCloth().warpStiffness);
+        QVERIFY(std::abs(warp[1] - warp[0]) < 1e-9 * warp[0]);
+    }
+
     void aShortLineNeedsNone() {
         const auto simulation = Simulation::create(alone(0.05));
         QVERIFY(simulation);
