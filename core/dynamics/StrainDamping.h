@@ -21,7 +21,7 @@ public:
     [[nodiscard]] std::size_t bytes() const override { return strains_.capacity() * sizeof(cloth::StrainGradient); }
     void beginStep(const ParticleState&, double) override { motion_ = {}; }
     /// Dashpot by dashpot: R → R/(1 + h·β·k·w) for the way R of a strain that is foreseen. What is foreseen is damped,
-    /// and not what the sweep makes of it: the sweep then begins with less energy, however strong they are.
+    /// and not what the sweep makes of it: the sweep then begins with less kinetic energy, however strong they are.
     void project(Substep& substep) override;
     [[nodiscard]] bool isBeforeSweep() const override { return true; }
 

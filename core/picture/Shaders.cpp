@@ -167,7 +167,7 @@ out vec3 seen;
 void main() {
     vec3 p = (view * vec4(position, 1.0)).xyz;
     float pixel = 2.0 * max(-p.z, 0.0) / (projection[1][1] * size.y); // [m]
-    // Half as far as they are wide: what is seen slantwise hides none of them, nor are they seen through other cloth.
+    // Half as far as they are wide, soft edges and all: so much a surface seen at 45 degrees hides of them.
     float before = min(towardsEye, 0.5 * (width + 1.0) * pixel);
     seen = p * (1.0 - min(before / max(length(p), 1e-6), 0.5));
 }

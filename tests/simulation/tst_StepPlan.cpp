@@ -24,6 +24,7 @@ public:
     void project(dynamics::Substep&) override { called("project", 0); }
     void take(const dynamics::Motion&) override { called("take", 0); }
     [[nodiscard]] bool isFromOutside() const override { return called("isFromOutside", true); }
+    [[nodiscard]] bool isBeforeSweep() const override { return called("isBeforeSweep", false); }
     void fixFriction(std::span<const Vec3>) override { called("fixFriction", 0); }
     void easeFriction(double) override { called("easeFriction", 0); }
     void beginIteration(std::span<const Vec3>) override { called("beginIteration", 0); }
@@ -260,6 +261,7 @@ void tst_StepPlan::everyCallReachesTheStage() {
     reaches("project", [&] { stage.project(substep); });
     reaches("take", [&] { stage.take({}); });
     reaches("isFromOutside", [&] { QVERIFY(stage.isFromOutside()); });
+    reaches("isBeforeSweep", [&] { QVERIFY(!stage.isBeforeSweep()); });
     reaches("fixFriction", [&] { stage.fixFriction(positions); });
     reaches("easeFriction", [&] { stage.easeFriction(0.5); });
     reaches("beginIteration", [&] { stage.beginIteration(positions); });
