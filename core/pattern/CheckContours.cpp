@@ -152,13 +152,6 @@ bool checkRegionNumbers(const Region& region, const std::string& at, Problems& p
     return sound;
 }
 
-std::vector<BorderSegment> segmentsOf(const Polygon& polygon) {
-    std::vector<BorderSegment> segments;
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-        segments.push_back({polygon[i], polygon[(i + 1) % polygon.size()], 0, i, i});
-    return segments;
-}
-
 } // namespace
 
 bool checkContours(const Piece& piece, Problems& problems) {
@@ -177,7 +170,7 @@ void checkRegions(const Piece& piece, Problems& problems) {
         const Region& region = piece.regions[i];
         const std::string at = fmt::format("regions[{}].", i);
         if (!checkRegionNumbers(region, at, problems)) continue;
-        if (const auto crossing = firstCrossing(segmentsOf(region.outline), {region.outline.size()}))
+        if (const auto crossing = firstCrossing(region.outline))
             problems.error(
                 at + "outline",
                 fmt::format("The border of the region \"{}\" crosses or touches itself at ({:.2f}, {:.2f}) mm.",

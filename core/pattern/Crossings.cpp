@@ -57,4 +57,11 @@ std::optional<Crossing> firstCrossing(std::vector<BorderSegment> segments,
     return std::nullopt;
 }
 
+std::optional<Crossing> firstCrossing(const geometry::Polygon& polygon) {
+    std::vector<BorderSegment> segments;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        segments.push_back({polygon[i], polygon[(i + 1) % polygon.size()], 0, i, i});
+    return firstCrossing(std::move(segments), {polygon.size()});
+}
+
 } // namespace toile::pattern

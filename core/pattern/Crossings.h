@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/Vec.h"
+#include "core/geometry/Polygon.h"
 
 #include <optional>
 #include <vector>
@@ -27,5 +27,7 @@ struct Crossing {
 /// from left to right. `loopLengths[loop]` is the number of segments of a loop.
 [[nodiscard]] std::optional<Crossing> firstCrossing(std::vector<BorderSegment> segments,
                                                     const std::vector<std::size_t>& loopLengths);
+/// The same of a polygon's own border.
+[[nodiscard]] std::optional<Crossing> firstCrossing(const geometry::Polygon& polygon);
 
 } // namespace toile::pattern

@@ -2,6 +2,7 @@
 #include "core/pattern/PatternRegions.h"
 
 #include "core/pattern/Brush.h"
+#include "core/pattern/Crossings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +17,25 @@ bool isUsable(Vec2 p) {
     return std::abs(p.x) < largest && std::abs(p.y) < largest;
 } // false for NaN too
 
-Result<Polygon> borderOf(Polygon polygon, const Piece& piece) {
+/// A border that crosses itself becomes that of what it encloses.
+Result<Area> areaWithin(Polygon polygon, const Piece& piece) {
     if (polygon.size() < 3)
         return fail(ErrorCode::invalidInput, "A region needs at least three corners.", placeOf(piece));
     if (!std::ranges::all_of(polygon, isUsable))
         return fail(ErrorCode::invalidInput, "The corners of a region must have finite coordinates.", placeOf(piece));
-    const double area = geometry::signedArea(polygon);
-    if (std::abs(area) < 1e-10) return fail(ErrorCode::invalidInput, "A region must enclose an area.", placeOf(piece));
-    if (area < 0) std::ranges::reverse(polygon);
-    return polygon;
+    std::vector<Area> enclosed;
+    if (firstCrossing(polygon)) {
+        enclosed = unionOf({{std::move(polygon), {}}}, {});
+    } else {
+        if (geometry::signedArea(polygon) < 0) std::ranges::reverse(polygon);
+        enclosed.push_back({std::move(polygon), {}});
+    }
+    if (enclosed.empty() || geometry::signedArea(enclosed.front().outline) < 1e-10)
+        return fail(ErrorCode::invalidInput, "A region must enclose an area.", placeOf(piece));
+    if (enclosed.size() > 1 || firstCrossing(enclosed.front().outline))
+        return fail(ErrorCode::invalidInput,
+                    "The border crosses itself and encloses several regions: draw one at a time.", placeOf(piece));
+    return std::move(enclosed.front());
 }
 
 Result<void> usable(const Stroke& stroke, const Piece& piece) {
@@ -71,8 +82,8 @@ Result<Pattern> addRegion(const Pattern& pattern, const PieceId& piece, Polygon 
                           int refinement, IdSource& ids) {
     return changedShape(pattern, piece, [&](Piece& p) -> Result<void> {
         if (auto ok = refinementIn(refinement, p); !ok) return ok;
-        return borderOf(std::move(outline), p).map([&](Polygon border) {
-            p.regions.push_back(made({std::move(border), {}}, std::move(name), refinement, ids));
+        return areaWithin(std::move(outline), p).map([&](const Area& area) {
+            p.regions.push_back(made(area, std::move(name), refinement, ids));
         });
     });
 }

@@ -10,7 +10,8 @@ namespace toile::pattern {
 
 // Edits of painted regions. All are pure. Coordinates are the piece's [m].
 
-/// A region with straight borders; turned to run counter-clockwise. Error when it has no area.
+/// A region with straight borders; turned to run counter-clockwise. A border that crosses itself becomes that of what
+/// it encloses. Error when that is nothing, or of several parts.
 [[nodiscard]] Result<Pattern> addRegion(const Pattern& pattern, const PieceId& piece, Polygon outline, std::string name,
                                         int refinement, IdSource& ids);
 [[nodiscard]] Result<Pattern> removeRegion(const Pattern& pattern, const PieceId& piece, const RegionId& region);

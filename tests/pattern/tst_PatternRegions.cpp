@@ -3,10 +3,12 @@
 #include "tests/Suite.h"
 
 #include "core/pattern/Brush.h"
+#include "tests/pattern/ErrorsOf.h"
 #include "tests/pattern/TwoPanels.h"
 
 #include <QTest>
 #include <numbers>
+#include <random>
 
 using namespace toile;
 using namespace toile::pattern;
@@ -16,6 +18,8 @@ class tst_PatternRegions : public QObject {
     Q_OBJECT
 private slots:
     void aRegionRunsCounterClockwiseHoweverItWasDrawn();
+    void aBorderThatCrossesItselfBecomesThatOfWhatItEncloses();
+    void whateverIsPaintedHasABorderThatCrossesNothing();
     void aStrokeCoversWhatADiscSweeps();
     void paintingAddsWhatTheStrokeCovers();
     void aStrokeElsewhereIsRefused();
@@ -51,6 +55,53 @@ void tst_PatternRegions::aRegionRunsCounterClockwiseHoweverItWasDrawn() {
     QVERIFY(std::abs(geometry::signedArea(region(pattern).outline) - 0.01) < 1e-12);
     QCOMPARE(region(pattern).refinement, 2);
     QCOMPARE(region(pattern).id, RegionId("r50"));
+}
+
+void tst_PatternRegions::aBorderThatCrossesItselfBecomesThatOfWhatItEncloses() {
+    IdSource ids{50};
+    const auto added = [&](Polygon outline) {
+        return addRegion(tests::twoPanels(), front, std::move(outline), "", 1, ids);
+    };
+    const auto eight = added({{0.05, 0.1}, {0.25, 0.3}, {0.25, 0.1}, {0.05, 0.3}});
+    QVERIFY(!eight && eight.error().text.find("crosses itself") != std::string::npos);
+    Polygon star; // drawn in one go: its middle is enclosed twice
+    for (int i = 0; i < 5; ++i) {
+        const double angle = i * 0.8 * std::numbers::pi;
+        star.push_back({0.15 + 0.1 * std::sin(angle), 0.2 + 0.1 * std::cos(angle)});
+    }
+    const auto whole = added(star);
+    QVERIFY(whole && tests::errorsOf(*whole).empty());
+    QCOMPARE(region(*whole).outline.size(), std::size_t(10));
+    QVERIFY(region(*whole).holes.empty());
+    const double inner = 0.1 / (std::numbers::phi * std::numbers::phi); // radius of the corners between two tips
+    QVERIFY(std::abs(areaOf(region(*whole)) - 5 * 0.1 * inner * std::sin(std::numbers::pi / 5)) < 1e-8);
+}
+
+void tst_PatternRegions::whateverIsPaintedHasABorderThatCrossesNothing() {
+    std::mt19937 random(1);
+    const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    const auto at = [&] {
+        return Vec2{std::round(between(0.02, 0.28) * 200) / 200, std::round(between(0.02, 0.38) * 200) / 200};
+    };
+    int strokes = 0;
+    for (int go = 0; go < 60; ++go) {
+        IdSource ids{50};
+        Pattern pattern = withSquare(ids);
+        for (int i = 0; i < 20 && !pattern.pieces[0]->regions.empty(); ++i) {
+            Stroke stroke{{at()}, std::round(between(1, 6)) * 0.005};
+            for (auto more = random() % 6; more > 0; --more) stroke.points.push_back(at());
+            const RegionId which = region(pattern).id;
+            const auto painted = random() % 3 == 0   ? paintNewRegion(pattern, front, stroke, "more", 1, ids)
+                                 : random() % 2 == 0 ? paintRegion(pattern, front, which, stroke)
+                                                     : eraseRegion(pattern, front, which, stroke, ids);
+            if (!painted) continue;
+            pattern = *painted;
+            ++strokes;
+            for (const std::string& error : tests::errorsOf(pattern))
+                QVERIFY2(error.find("crosses") == std::string::npos, error.c_str());
+        }
+    }
+    QVERIFY(strokes > 500);
 }
 
 void tst_PatternRegions::aStrokeCoversWhatADiscSweeps() {
