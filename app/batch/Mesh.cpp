@@ -111,7 +111,7 @@ Result<void> run(const MeshOptions& options, std::stop_token stop) {
 
 int mesh(const MeshOptions& options, std::stop_token stop) {
     if (const auto finished = run(options, stop); !finished) {
-        printError(finished.error());
+        printError(io::locatedIn(options.file, finished.error()));
         return inputWrong;
     }
     return done;

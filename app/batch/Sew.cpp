@@ -161,8 +161,8 @@ const std::vector<std::string>& sewMethods() {
 
 int sew(const SewOptions& options, std::stop_token stop) {
     const auto deadline = deadlineAfter(options.timeLimit);
-    const auto refuse = [](const Error& error) {
-        printError(error);
+    const auto refuse = [&options](const Error& error) {
+        printError(io::locatedIn(options.file, error));
         return static_cast<int>(inputWrong);
     };
     auto document = io::readDocument(options.file);

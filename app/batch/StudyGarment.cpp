@@ -77,9 +77,7 @@ bool namesADocument(const StudyOptions& options) {
 int studyGarment(const StudyOptions& options, std::stop_token stop) {
     const auto finished = run(options, stop);
     if (finished) return done;
-    Error error = finished.error();
-    if (error.place.file.empty()) error.place.file = options.cases.front();
-    printError(error);
+    printError(io::locatedIn(options.cases.front(), finished.error()));
     return inputWrong;
 }
 

@@ -14,11 +14,11 @@
 namespace toile::batch {
 
 int studyRegions(const StudyOptions& options, std::stop_token stop) {
-    const auto refuse = [](const Error& error) {
-        printError(error);
+    const std::string& file = options.cases.front();
+    const auto refuse = [&file](const Error& error) {
+        printError(io::locatedIn(file, error));
         return static_cast<int>(inputWrong);
     };
-    const std::string& file = options.cases.front();
     auto document = io::readDocument(file);
     if (!document) return refuse(document.error());
     auto opened = openScene(document->document, file);

@@ -38,9 +38,7 @@ Result<void> run(const StorageOptions& options) {
 int studyStorage(const StorageOptions& options) {
     const auto finished = run(options);
     if (finished) return done;
-    Error error = finished.error();
-    if (error.place.file.empty()) error.place.file = options.file;
-    printError(error);
+    printError(io::locatedIn(options.file, finished.error()));
     return inputWrong;
 }
 

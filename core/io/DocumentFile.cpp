@@ -11,6 +11,7 @@
 #include <cctype>
 #include <charconv>
 #include <fmt/format.h>
+#include <optional>
 
 namespace toile::io {
 namespace {
@@ -48,6 +49,19 @@ std::vector<Problem> checkPinsToBody(const document::Document& document) {
                  "The document has no avatar to which its cloth could be pinned: it stays where it lies.",
                  false});
     return problems;
+}
+
+/// In which the paths of problems can be looked up: those of another format are not those of the document.
+std::optional<Json> pathsIn(const std::string& text, const std::string& path) {
+    if (extensionOf(path) != ".toile") return std::nullopt;
+    auto json = parseJson(text, path);
+    if (!json) return std::nullopt;
+    return std::move(*json);
+}
+
+void locate(Place& place, const std::string& path, const std::optional<Json>& json) {
+    place.file = path;
+    if (json && !place.path.empty()) place.line = lineOf(*json, place.path);
 }
 
 } // namespace
@@ -90,13 +104,17 @@ Result<Checked> checkFile(const std::string& path) {
     append(simulation::checkScene(checked.document.scene));
     append(pattern::checkPattern(checked.document.pattern));
     append(checkPinsToBody(checked.document));
-    const bool isOurs = extensionOf(path) == ".toile"; // paths of another format are not those of the document
-    const auto json = isOurs ? parseJson(*text, path) : Result<Json>(Json());
-    for (Problem& problem : checked.problems) {
-        problem.place.file = path;
-        if (isOurs && json && !problem.place.path.empty()) problem.place.line = lineOf(*json, problem.place.path);
-    }
+    const std::optional<Json> json = pathsIn(*text, path);
+    for (Problem& problem : checked.problems) locate(problem.place, path, json);
     return checked;
+}
+
+Error locatedIn(const std::string& path, Error error) {
+    const bool isOfDocument = !error.place.path.empty() || !error.place.object.empty();
+    if (!error.place.file.empty() || !isOfDocument) return error;
+    const auto text = readRegularFile(path, largestDocument);
+    locate(error.place, path, text ? pathsIn(*text, path) : std::nullopt);
+    return error;
 }
 
 int lineOf(const Json& root, std::string_view path) {

@@ -31,6 +31,10 @@ struct Checked {
 /// lengths, settings, and whether the files it names exist. Error when it cannot be read at all.
 [[nodiscard]] Result<Checked> checkFile(const std::string& path);
 
+/// An error in a document that was read from this file: with the file's name, and, where the document is ours and the
+/// error tells a path in it, the line. What names another file, or nothing of the document, stays as it is.
+[[nodiscard]] Error locatedIn(const std::string& path, Error error);
+
 /// Line of the value at a path like "pieces[2].vertices[0].x", or of the innermost part of the path that there is.
 [[nodiscard]] int lineOf(const Json& root, std::string_view path);
 

@@ -44,6 +44,9 @@ void checkFolds(const Piece& piece, Problems& problems);
 /// Seams, one by one and against each other. Lengths and directions are not looked at where a contour is unsound.
 void checkSeams(const Pattern& pattern, const std::set<PieceId>& unsound, const SeamTolerance& tolerance,
                 std::vector<Problem>& problems);
+/// Neighbouring parts of a seam's side, whose edges there are, must follow one another; one that would follow if it
+/// were walked the other way is turned wrongly.
+void checkChain(const Pattern& pattern, const std::vector<SeamPart>& side, const std::string& at, Problems& problems);
 /// Tacks. Places are not looked at where a contour is unsound.
 void checkTacks(const Pattern& pattern, const std::set<PieceId>& unsound, std::vector<Problem>& problems);
 

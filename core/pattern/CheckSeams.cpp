@@ -61,8 +61,9 @@ void checkNumbers(const Seam& seam, Problems& problems) {
     for (std::size_t i = 0; i < seam.sections.size(); ++i) {
         if (!std::isfinite(seam.sections[i].ease))
             problems.error(fmt::format("sections[{}].ease", i), "The ease must be a finite length.");
-        if (seam.sections[i].gatherRatio && !(*seam.sections[i].gatherRatio > 0))
-            problems.error(fmt::format("sections[{}].gatherRatio", i), "A gather ratio must be positive.");
+        if (const auto ratio = seam.sections[i].gatherRatio; ratio && !isGatherRatio(*ratio))
+            problems.error(fmt::format("sections[{}].gatherRatio", i),
+                           fmt::format("The gather ratio is {}, but must be between 0.01 and 100.", *ratio));
     }
 }
 
@@ -140,6 +141,7 @@ void checkSeams(const Pattern& pattern, const std::set<PieceId>& unsound, const 
         Problems problems(all, fmt::format("seams[{}]", i), placeOf(seam).object);
         checkNumbers(seam, problems);
         if (!checkParts(pattern, seam, problems)) continue;
+        for (std::size_t side = 0; side < 2; ++side) checkChain(pattern, seam.sides[side], sideName(side), problems);
         if (!std::ranges::all_of(seam.sides, [&](const auto& side) { return std::ranges::all_of(side, isMeasurable); }))
             continue;
         checkLengths(pattern, seam, tolerance, problems);

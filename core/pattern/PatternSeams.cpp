@@ -183,10 +183,14 @@ bool isGathered(const Seam& seam) {
     return std::ranges::any_of(seam.sections, [](const SeamSection& s) { return s.gatherRatio.has_value(); });
 }
 
+bool isGatherRatio(double ratio) {
+    return ratio > 0.01 && ratio < 100;
+}
+
 Result<Pattern> setGatherRatio(const Pattern& pattern, const SeamId& seam, std::size_t section, double ratio) {
     return changedSection(pattern, seam, section, [&](Seam& whole, SeamSection& s) -> Result<void> {
-        if (!(ratio > 0 && std::isfinite(ratio)))
-            return fail(ErrorCode::invalidInput, "A gather ratio must be positive.", placeOf(whole));
+        if (!isGatherRatio(ratio))
+            return fail(ErrorCode::invalidInput, "A gather ratio lies between 0.01 and 100.", placeOf(whole));
         s = {0, ratio};
         return {};
     });

@@ -40,6 +40,8 @@ struct EdgePick {
 [[nodiscard]] Result<Pattern> gatherAway(const Pattern& pattern, const SeamId& seam);
 /// Some section of the seam has a gather ratio.
 [[nodiscard]] bool isGathered(const Seam& seam);
+/// Whether lengths may be in this ratio: from 0.01 to 100, both excluded.
+[[nodiscard]] bool isGatherRatio(double ratio);
 /// Wanted length A / length B of one section.
 [[nodiscard]] Result<Pattern> setGatherRatio(const Pattern& pattern, const SeamId& seam, std::size_t section,
                                              double ratio);

@@ -33,6 +33,12 @@ constexpr const char* noMemory = "There is not enough memory to simulate this ga
 /// By the clock: a garment that takes longer to fall into place anew is seen on its way [s].
 constexpr double longestUnseen = 2;
 
+/// Words alone, where there are some: who works in a window knows no paths of a file.
+std::string toldOf(Error error) {
+    if (!error.place.object.empty()) error.place.path.clear();
+    return toString(error);
+}
+
 } // namespace
 
 /// Everything above the line is touched by both threads, everything below by the worker's alone.
@@ -238,7 +244,7 @@ private:
 
     void goOnFrom(const Checkpoint& checkpoint) {
         auto resumed = built([&] { return Simulation::resumed(scene_, {}, checkpoint); });
-        if (!resumed) return stopWith(toString(resumed.error()));
+        if (!resumed) return stopWith(toldOf(resumed.error()));
         adopt(std::move(resumed));
     }
 
@@ -262,7 +268,7 @@ private:
     /// A scene that cannot be built stands still; the garment before it is kept, and goes on when the next one can.
     void adopt(Result<Simulation> made) {
         broken_ = !made;
-        if (broken_) return stopWith(toString(made.error()));
+        if (broken_) return stopWith(toldOf(made.error()));
         simulation_.emplace(std::move(*made));
         adopted_ = std::chrono::steady_clock::now();
         simulation_->hold(held_);
@@ -287,7 +293,7 @@ private:
         }
         const bool isCutOff = !advanced && advanced.error().code == ErrorCode::cancelled;
         if (advanced || isCutOff) publish({});
-        else stopWith(toString(advanced.error()));
+        else stopWith(toldOf(advanced.error()));
         return true;
     }
 

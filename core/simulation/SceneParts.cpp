@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/SceneParts.h"
 
+#include "core/pattern/PatternCheck.h"
 #include "core/simulation/SceneCheck.h"
 #include "core/simulation/SceneMemory.h"
+
+#include <algorithm>
 
 namespace toile::simulation {
 namespace {
 
-Result<void> checkedSettings(const SceneSettings& settings) {
-    const auto problems = checkScene(settings);
-    if (problems.empty()) return {};
-    return fail(ErrorCode::invalidInput, problems.front().text, problems.front().place);
+/// The first error becomes the answer.
+Result<void> judged(const std::vector<pattern::Problem>& problems) {
+    const auto error = std::ranges::find_if(problems, &pattern::Problem::isError);
+    if (error == problems.end()) return {};
+    return fail(ErrorCode::invalidInput, error->text, error->place);
 }
 
 Result<std::shared_ptr<const collision::BodySurface>> surfaceOf(const Scene& scene) {
@@ -42,7 +46,8 @@ Result<std::vector<TackState>> threadsOf(const Scene& scene, const Garment& garm
 
 Result<SceneParts> partsOf(const Scene& scene, const MeshOverrides& overrides,
                            std::shared_ptr<const collision::BodySurface> standing) {
-    if (auto sound = checkedSettings(scene.settings); !sound) return tl::unexpected(sound.error());
+    if (auto sound = judged(checkScene(scene.settings)); !sound) return tl::unexpected(sound.error());
+    if (auto sound = judged(pattern::checkPattern(scene.pattern)); !sound) return tl::unexpected(sound.error());
     if (!standing) {
         auto surface = surfaceOf(scene);
         if (!surface) return tl::unexpected(surface.error());

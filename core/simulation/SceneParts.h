@@ -20,7 +20,9 @@ struct SceneParts {
     std::shared_ptr<const collision::BodySurface> body; ///< none in a scene without
 };
 
-/// Checks the settings and builds. standing: the surface of the scene's body, where there is one already.
+/// Checks settings and pattern (pattern::checkPattern: what the mesher does not ask about may still be nonsense, such
+/// as cloth that is less than nothing stiff) and builds. standing: the surface of the scene's body, where there is one
+/// already.
 [[nodiscard]] Result<SceneParts> partsOf(const Scene& scene, const MeshOverrides& overrides,
                                          std::shared_ptr<const collision::BodySurface> standing = nullptr);
 

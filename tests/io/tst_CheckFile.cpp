@@ -23,6 +23,7 @@ private slots:
     void aFolderIsRefused();
     void anAvatarBesideTheDocumentIsFound();
     void aLineIsFoundByItsPath();
+    void anErrorIsLocatedInItsDocument();
 };
 
 namespace {
@@ -172,6 +173,10 @@ void tst_CheckFile::aBrokenDocumentGetsOneLine_data() {
     QTest::newRow("unknown-piece-in-seam") << true
                                            << "unknown-piece-in-seam.toile:80: seams[0].sideB[0].piece: seam \"right "
                                               "side\": There is no piece \"sleeve\".";
+    QTest::newRow("walked-backwards")
+        << true
+        << "walked-backwards.toile:88: seams[1].sideA[1].reversed: seam \"left side\": The edge \"left\" is walked in "
+           "the wrong direction: it does not lead on to the edge \"left\".";
     QTest::newRow("wrong-way-round") << false
                                      << "wrong-way-round.toile:73: seams[0]: seam \"right side\": warning: The seam "
                                         "joins the right side of one piece to the wrong side of the other: reverse it?";
@@ -186,7 +191,7 @@ void tst_CheckFile::aBrokenDocumentGetsOneLine() {
 }
 
 void tst_CheckFile::everyBrokenDocumentIsListed() {
-    QCOMPARE(QDir(brokenFolder()).entryList({"*.toile"}).size(), 40);
+    QCOMPARE(QDir(brokenFolder()).entryList({"*.toile"}).size(), 41);
 }
 
 void tst_CheckFile::aFileOfAnUnknownKindIsRefused() {
@@ -221,6 +226,22 @@ void tst_CheckFile::aLineIsFoundByItsPath() {
     QCOMPARE(io::lineOf(*json, "a[1].c"), 4); // there is no c: the object it would be in
     QCOMPARE(io::lineOf(*json, "a[7]"), 2);
     QCOMPARE(io::lineOf(*json, ""), 1);
+}
+
+void tst_CheckFile::anErrorIsLocatedInItsDocument() {
+    const std::string file = (brokenFolder() + "negative-spacing.toile").toStdString();
+    const auto located = [](const std::string& in, Place place) {
+        return toString(io::locatedIn(in, {ErrorCode::invalidInput, "No.", std::move(place)}).place);
+    };
+    QCOMPARE(located(file, {.path = "pieces[1].spacing"}), file + ":49: pieces[1].spacing");
+    QCOMPARE(located(file, {.object = "piece \"Back\""}), file + ": piece \"Back\"");
+    QCOMPARE(located(file, {}), std::string());                                               // not about the document
+    QCOMPARE(located(file, {.file = "drape.glb", .path = "a"}), std::string("drape.glb: a")); // but about another
+    QCOMPARE(located("gone.toile", {.path = "a"}), std::string("gone.toile: a"));
+    QTemporaryDir folder;
+    const std::string foreign = folder.filePath("a.json").toStdString();
+    writeText(QString::fromStdString(foreign), "{\"a\": 1}");
+    QCOMPARE(located(foreign, {.path = "a"}), foreign + ": a");
 }
 
 TOILE_TEST(tst_CheckFile)

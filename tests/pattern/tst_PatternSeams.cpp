@@ -3,6 +3,7 @@
 #include "tests/Suite.h"
 
 #include "core/pattern/PatternMeasures.h"
+#include "tests/pattern/ErrorsOf.h"
 #include "tests/pattern/TwoPanels.h"
 
 #include <QTest>
@@ -22,6 +23,7 @@ private slots:
     void aDartClosesFromItsMouthToItsTip();
     void aChainIsWalkedBackwardsAsAWhole();
     void walkedChainsAreSewnAsTheyAre();
+    void aStretchWalkedBackwardsIsFound();
     void aSewnStretchIsRefused();
     void anEdgeIsNotSewnToItself();
     void reversingTwiceChangesNothing();
@@ -129,6 +131,32 @@ void tst_PatternSeams::walkedChainsAreSewnAsTheyAre() {
     QVERIFY(!addSeam(*sewn, sides, "", ids)); // sewn already
     QVERIFY(!addSeam(pattern, std::array<std::vector<SeamPart>, 2>{sides[0], sides[0]}, "", ids));
     QVERIFY(!addSeam(pattern, std::array<std::vector<SeamPart>, 2>{}, "", ids));
+}
+
+void tst_PatternSeams::aStretchWalkedBackwardsIsFound() {
+    IdSource ids{50};
+    const std::vector<EdgePick> a{{front, EdgeId("bottom")}, {front, EdgeId("right")}},
+        b{{back, EdgeId("bottom")}, {back, EdgeId("right")}};
+    Pattern pattern = *addSeam(unplaced(), a, b, "chain", ids);
+    const auto complaints = [&] {
+        std::vector<std::string> of;
+        for (const std::string& text : tests::errorsOf(pattern))
+            if (text.find("wrong direction") != std::string::npos) of.push_back(text);
+        return of;
+    };
+    QVERIFY(complaints().empty());
+    auto& sides = pattern.seams[0].sides; // A goes on from bottom to right, B from right to bottom
+    for (const auto& [side, part, other] : {std::tuple{0, 0, 1}, {0, 1, 0}, {1, 0, 1}, {1, 1, 0}}) {
+        bool& reversed = sides[side][part].reversed;
+        reversed = !reversed;
+        QCOMPARE(complaints().size(), std::size_t(1));
+        QVERIFY(complaints()[0].find(part == 0 ? "[0].reversed" : "[1].reversed") != std::string::npos);
+        reversed = !reversed;
+    }
+    std::swap(sides[0][0], sides[0][1]); // both ends of one touch: nothing follows as it is walked
+    QCOMPARE(complaints().size(), std::size_t(1));
+    sides[0][0] = {back, EdgeId("top"), 0, 1, false}; // of another piece: a jump is no turn
+    QVERIFY(complaints().empty());
 }
 
 void tst_PatternSeams::aSewnStretchIsRefused() {

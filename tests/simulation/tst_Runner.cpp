@@ -25,6 +25,7 @@ private slots:
     void aFrameStepIsNotWaitedFor();
     void aWrongSceneGivesAMessage();
     void settingsThatNoSimulationCanRunWithGiveAMessage();
+    void whatTheMesherDoesNotAskAboutIsCheckedToo();
     void aGarmentGoesOnAfterASceneThatCannotBeBuilt();
     void anEditIsSeenBeforeAFrameStep();
     void aGarmentAtRestSleepsUntilSomethingChanges();
@@ -149,6 +150,17 @@ void tst_Runner::settingsThatNoSimulationCanRunWithGiveAMessage() {
         const auto frame = waitForFrame(runner, [&](const Frame& f) { return f.generation == generation; });
         QVERIFY(frame && frame->message.find("Expected") != std::string::npos);
     }
+}
+
+void tst_Runner::whatTheMesherDoesNotAskAboutIsCheckedToo() {
+    Runner runner;
+    Scene scene = twoSquares(0.05);
+    scene.pattern.seams[0].stiffnessFactor = -1;
+    runner.setScene(scene, 1);
+    const auto frame = waitForFrame(runner, [](const Frame& f) { return !f.message.empty(); });
+    QVERIFY(frame);
+    QCOMPARE(frame->message, "seam \"middle\": The stiffness factor is -1, but must be positive.");
+    QVERIFY(frame->positions.empty());
 }
 
 void tst_Runner::aGarmentGoesOnAfterASceneThatCannotBeBuilt() {
