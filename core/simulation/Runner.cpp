@@ -157,7 +157,7 @@ private:
             // and who stops the thread wakes it afterwards.
             const std::uint64_t seen = signal_, cutsSeen = cuts_;
             if (stop.stop_requested()) return;
-            const bool mayPlay = playing_, mayStep = steps_ > 0;
+            const bool pushed = pushed_.exchange(false), mayPlay = playing_, mayStep = steps_ > 0;
             if (auto order = orders_.take()) accept(std::move(*order));
             if (reset_.exchange(false)) restart();
             if (auto checkpoint = resumed_.take()) goOnFrom(*checkpoint);
@@ -165,7 +165,8 @@ private:
             if (auto grips = grips_.take()) take(std::move(*grips));
             takeMethod();
             if (auto motion = motions_.take()) take(std::move(*motion));
-            if (pushed_.exchange(false) && stands()) playUntil_ = simulation_->state().time + atLeast;
+            if ((pushed || mayStep) && !broken_.empty()) stopWith(broken_);
+            if (pushed && stands()) playUntil_ = simulation_->state().time + atLeast;
             if (mayStep) {
                 if (advance(seen, cutsSeen)) --steps_;
             } else if (mayPlay && playing_ && stands() && !rests()) {
@@ -182,15 +183,15 @@ private:
     /// Whatever was being done, the simulation may have been left half changed. The pattern is not touched by it.
     void giveUp() {
         simulation_.reset();
-        broken_ = true;
+        broken_ = noMemory;
         steps_ = 0;
-        stopWith(noMemory);
+        stopWith(broken_);
     }
 
     /// A garment at rest costs nothing: the thread sleeps, and what is playing stays playing, for the next edit.
     [[nodiscard]] bool rests() const { return resting_ && simulation_->state().time >= playUntil_; }
 
-    [[nodiscard]] bool stands() const { return simulation_ && !broken_; }
+    [[nodiscard]] bool stands() const { return simulation_ && broken_.empty(); }
 
     void accept(Order order) {
         scene_ = std::move(order.scene);
@@ -267,8 +268,8 @@ private:
 
     /// A scene that cannot be built stands still; the garment before it is kept, and goes on when the next one can.
     void adopt(Result<Simulation> made) {
-        broken_ = !made;
-        if (broken_) return stopWith(toldOf(made.error()));
+        broken_ = made ? std::string() : toldOf(made.error());
+        if (!made) return stopWith(broken_);
         simulation_.emplace(std::move(*made));
         adopted_ = std::chrono::steady_clock::now();
         simulation_->hold(held_);
@@ -377,8 +378,8 @@ private:
     std::uint64_t generation_ = 0;
     const std::shared_ptr<Team> team_ = std::make_shared<Team>(); ///< all cores
     std::optional<Simulation> simulation_;
-    std::vector<Grip> held_;                        ///< by hands, whether there is a garment or not
-    bool broken_ = false;                           ///< the scene could not be built; simulation_ is of one before it
+    std::vector<Grip> held_; ///< by hands, whether there is a garment or not
+    std::string broken_; ///< why the scene could not be built, and simulation_ is of one before it; empty = it could be
     bool resting_ = false;                          ///< the frame published last is at rest
     double playUntil_ = 0;                          ///< at rest or not [s]
     std::chrono::steady_clock::time_point adopted_; ///< when the simulation was taken over

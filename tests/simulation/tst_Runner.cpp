@@ -27,6 +27,7 @@ private slots:
     void settingsThatNoSimulationCanRunWithGiveAMessage();
     void whatTheMesherDoesNotAskAboutIsCheckedToo();
     void aGarmentGoesOnAfterASceneThatCannotBeBuilt();
+    void aSceneThatCannotBeBuiltDoesNotPlay();
     void anEditIsSeenBeforeAFrameStep();
     void aGarmentAtRestSleepsUntilSomethingChanges();
     void aHandWakesAGarmentAtRest();
@@ -178,6 +179,22 @@ void tst_Runner::aGarmentGoesOnAfterASceneThatCannotBeBuilt() {
     runner.setScene(scene, 3);
     const auto frame = waitForFrame(runner, [](const Frame& f) { return f.generation == 3; });
     QVERIFY(frame && frame->time > 0.05);
+}
+
+void tst_Runner::aSceneThatCannotBeBuiltDoesNotPlay() {
+    Runner runner;
+    Scene wrong = twoSquares(0.05);
+    wrong.pattern.seams[0].sides[0][0].edge = pattern::EdgeId("none");
+    runner.setScene(wrong, 1);
+    const auto refused = waitForFrame(runner, [](const Frame& f) { return !f.message.empty(); });
+    QVERIFY(refused);
+    for (const auto& order : {&Runner::play, &Runner::step}) {
+        (runner.*order)();
+        const auto again = waitForFrame(runner, [](const Frame& f) { return !f.message.empty(); });
+        QVERIFY(again && again->message == refused->message); // who orders it is told why nothing happens
+        QVERIFY(!runner.isPlaying());
+    }
+    QTRY_VERIFY(!runner.isBusy());
 }
 
 void tst_Runner::anEditIsSeenBeforeAFrameStep() {
