@@ -68,7 +68,7 @@ Moved armsTurned(const simulation::Scene& scene, int before, double angle, doubl
 /// A towel over the left forearm, half of it in front and half behind.
 simulation::Scene towelOverArm(const body::Body& body) {
     const Vec3 &joint = axisOf(body, body::Limb::leftArm)->points.front(), &wrist = body.landmarks.wristLeft;
-    const Vec3 along = normalized(wrist - joint), across{0, 0, 1}, up = cross(across, along);
+    const Vec3 along = normalized(wrist - joint), up = normalized(cross({0, 0, 1}, along)), across = cross(along, up);
     const Vec3 corner = joint + (wrist - joint) * 0.55 + up * 0.07 - across * 0.2;
     return stripBeside(body, 0.2, 0.4,
                        {.axisX = along, .axisY = across, .axisZ = cross(along, across), .origin = corner});
