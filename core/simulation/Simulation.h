@@ -288,11 +288,14 @@ private:
     [[nodiscard]] bool mayMerge(std::size_t seam) const;
     [[nodiscard]] Result<bool> mergeReadySeams();
     void startDue();
+    void startTack(std::size_t tack);
+    void startSeam(std::size_t seam);
     void goOnDressing(bool closedSome);
     [[nodiscard]] std::vector<std::vector<Vec3>> carriedFrom(const Simulation& before,
                                                              std::vector<std::vector<Vec3>> drapes) const;
     [[nodiscard]] bool mayFallAnew(const Simulation& before) const;
     void beginToSew();
+    [[nodiscard]] Result<void> keepSewn(const Simulation& before);
     void noteSewn();
     void lieAsSeen();
     void showWhatRests();

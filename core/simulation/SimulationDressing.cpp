@@ -91,17 +91,25 @@ void Simulation::startDue() {
         if (!tack.closed && !givenUp(tack)) due = std::min(due, tack.order);
     for (std::size_t tack = 0; tack < tacks_.size(); ++tack) {
         if (tacks_[tack].start >= 0 || tacks_[tack].order > due) continue;
-        tacks_[tack].start = state_.time;
-        tacks_[tack].startGap = gapOfTack(tack);
+        startTack(tack);
     }
     for (std::size_t seam = 0; seam < seams_.size(); ++seam) {
         if (seams_[seam].merged || seamStart_[seam] >= 0 || seams_[seam].order > due) continue;
-        seamStart_[seam] = state_.time;
-        seamGaps_[seam].clear();
-        for (const auto& [a, b] : garment_->mesh->seams[seam].pairs)
-            seamGaps_[seam].push_back(geometry::distance(state_.positions[garment_->particles.particle(a)],
-                                                         state_.positions[garment_->particles.particle(b)]));
+        startSeam(seam);
     }
+}
+
+void Simulation::startTack(std::size_t tack) {
+    tacks_[tack].start = state_.time;
+    tacks_[tack].startGap = gapOfTack(tack);
+}
+
+void Simulation::startSeam(std::size_t seam) {
+    seamStart_[seam] = state_.time;
+    seamGaps_[seam].clear();
+    for (const auto& [a, b] : garment_->mesh->seams[seam].pairs)
+        seamGaps_[seam].push_back(geometry::distance(state_.positions[garment_->particles.particle(a)],
+                                                     state_.positions[garment_->particles.particle(b)]));
 }
 
 bool Simulation::mayMerge(std::size_t seam) const {

@@ -66,6 +66,7 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, 
     after.leaps_ = !after.goesOnAsItLay_ || nodesOf(after) > finer * nodesOf(before);
     after.sewnTime_ = after.state_.time;
     after.beginToSew();
+    if (auto kept = after.keepSewn(before); !kept) return tl::unexpected(kept.error());
     after.rebuildPlan();
     return after;
 }
@@ -76,6 +77,24 @@ void Simulation::beginToSew() {
     for (TackState& tack : tacks_)
         if (!tack.closed) tack.start = -1;
     startDue();
+}
+
+/// What was sewn and is closed still, whatever its order, where layers are kept apart: contact would part its sides,
+/// and cloth beside them cross, before they are sewn again. Elsewhere they are in a frame step.
+Result<void> Simulation::keepSewn(const Simulation& before) {
+    if (!scene_.settings.selfContact) return {};
+    const std::vector<bool> merged = mergedIn(before, scene_.pattern);
+    for (std::size_t seam = 0; seam < seams_.size(); ++seam)
+        if (merged[seam] && seamStart_[seam] < 0) startSeam(seam);
+    const auto& old = before.scene_.pattern.tacks;
+    for (std::size_t tack = 0; tack < tacks_.size(); ++tack) {
+        const auto found = std::ranges::find(old, scene_.pattern.tacks[tack].id, &pattern::Tack::id);
+        if (found != old.end() && before.tacks_[found - old.begin()].closed && tacks_[tack].start < 0) startTack(tack);
+    }
+    if (auto done = mergeReadySeams(); !done) return tl::unexpected(done.error());
+    (void)closeReadyTacks();
+    startDue();
+    return {};
 }
 
 /// The nodes of this garment where those of another lay, in each of its drapes; of pieces that it has not, where they
@@ -141,7 +160,7 @@ void Simulation::lieAsSeen() {
 }
 
 /// After a frame step. Also what does not come to rest; and what has not closed at once, as seams of several orders
-/// never do, is sewn again from where it is seen.
+/// that were not kept, is sewn again from where it is seen.
 void Simulation::showWhatRests() {
     if (!fallsUnseen()) return;
     if (phase_ == Phase::sewing) {
