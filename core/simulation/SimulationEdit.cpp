@@ -65,8 +65,8 @@ Result<Simulation> Simulation::continued(Scene scene, const Simulation& before, 
     };
     after.leaps_ = !after.goesOnAsItLay_ || nodesOf(after) > finer * nodesOf(before);
     after.sewnTime_ = after.state_.time;
-    after.beginToSew();
     if (auto kept = after.keepSewn(before); !kept) return tl::unexpected(kept.error());
+    after.beginToSew();
     after.rebuildPlan();
     return after;
 }
@@ -82,18 +82,17 @@ void Simulation::beginToSew() {
 /// What was sewn and is closed still, whatever its order, where layers are kept apart: contact would part its sides,
 /// and cloth beside them cross, before they are sewn again. Elsewhere they are in a frame step.
 Result<void> Simulation::keepSewn(const Simulation& before) {
-    if (!scene_.settings.selfContact) return {};
+    if (!scene_.settings.selfContact || before.scene_.paper) return {};
     const std::vector<bool> merged = mergedIn(before, scene_.pattern);
     for (std::size_t seam = 0; seam < seams_.size(); ++seam)
-        if (merged[seam] && seamStart_[seam] < 0) startSeam(seam);
+        if (merged[seam]) startSeam(seam);
     const auto& old = before.scene_.pattern.tacks;
     for (std::size_t tack = 0; tack < tacks_.size(); ++tack) {
         const auto found = std::ranges::find(old, scene_.pattern.tacks[tack].id, &pattern::Tack::id);
-        if (found != old.end() && before.tacks_[found - old.begin()].closed && tacks_[tack].start < 0) startTack(tack);
+        if (found != old.end() && before.tacks_[found - old.begin()].closed) startTack(tack);
     }
     if (auto done = mergeReadySeams(); !done) return tl::unexpected(done.error());
     (void)closeReadyTacks();
-    startDue();
     return {};
 }
 
