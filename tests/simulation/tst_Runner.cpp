@@ -329,8 +329,10 @@ void tst_Runner::aHandThatLetsGoOfABrokenSceneHoldsNoMore() {
     runner.hold({});
     QVERIFY(QTest::qWaitFor([&] { return !runner.isBusy(); }, 60000));
     runner.setScene(scene, 3);
+    const auto whole = waitForFrame(runner, [](const Frame& frame) { return frame.generation == 3; });
+    QVERIFY(whole);
     runner.play();
-    const auto later = waitForFrame(runner, [](const Frame& frame) { return frame.generation == 3 && frame.time > 1; });
+    const auto later = waitForFrame(runner, [&](const Frame& frame) { return frame.time > whole->time + 1; });
     QVERIFY(later && !hangs(*later));
 }
 
