@@ -6,15 +6,6 @@
 #include <fmt/format.h>
 
 namespace toile::batch {
-namespace {
-
-void printProblem(const pattern::Problem& problem) {
-    const std::string text =
-        fmt::format("{}: {}{}", toString(problem.place), problem.isError ? "" : "warning: ", problem.text);
-    fmt::print(stderr, "{}\n", oneLine(text));
-}
-
-} // namespace
 
 int check(const std::vector<std::string>& files) {
     bool wrong = false;
@@ -25,7 +16,8 @@ int check(const std::vector<std::string>& files) {
             wrong = true;
             continue;
         }
-        for (const pattern::Problem& problem : checked->problems) printProblem(problem);
+        for (const pattern::Problem& problem : checked->problems)
+            fmt::print(stderr, "{}\n", oneLine(toString(problem)));
         wrong = wrong || checked->hasErrors();
     }
     return wrong ? inputWrong : done;

@@ -37,8 +37,8 @@ Result<Garment> flatGarment(const Scene& scene, const MeshOverrides& overrides) 
 }
 
 /// The paper's way knows seams alone.
-Result<std::vector<TackState>> threadsOf(const Scene& scene, const Garment& garment) {
-    if (scene.paper) return std::vector<TackState>{};
+std::vector<TackState> threadsOf(const Scene& scene, const Garment& garment) {
+    if (scene.paper) return {};
     return tacksOf(scene.pattern, *garment.mesh, TackSettings{});
 }
 
@@ -55,9 +55,8 @@ Result<SceneParts> partsOf(const Scene& scene, const MeshOverrides& overrides,
     }
     auto garment = flatGarment(scene, overrides);
     if (!garment) return tl::unexpected(garment.error());
-    auto tacks = threadsOf(scene, *garment);
-    if (!tacks) return tl::unexpected(tacks.error());
-    return SceneParts{std::move(*garment), std::move(*tacks), std::move(standing)};
+    std::vector<TackState> tacks = threadsOf(scene, *garment);
+    return SceneParts{std::move(*garment), std::move(tacks), std::move(standing)};
 }
 
 } // namespace toile::simulation

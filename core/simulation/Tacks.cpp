@@ -3,11 +3,9 @@
 
 #include "core/base/Contracts.h"
 #include "core/geometry/Polygon.h"
-#include "core/pattern/PatternTacks.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 
 namespace toile::simulation {
@@ -60,8 +58,8 @@ MeshPoint meshPointAt(const meshing::GarmentMesh& mesh, int piece, Vec2 point) {
     return best;
 }
 
-Result<std::vector<TackState>> tacksOf(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh,
-                                       const TackSettings& settings) {
+std::vector<TackState> tacksOf(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh,
+                               const TackSettings& settings) {
     std::vector<TackState> tacks;
     for (const pattern::Tack& tack : pattern.tacks) {
         TackState state{
@@ -70,13 +68,7 @@ Result<std::vector<TackState>> tacksOf(const pattern::Pattern& pattern, const me
             const auto& [id, point] = tack.ends[end];
             const auto piece =
                 std::ranges::find_if(pattern.pieces, [&](const auto& candidate) { return candidate->id == id; });
-            if (piece == pattern.pieces.end())
-                return fail(ErrorCode::invalidInput, fmt::format("There is no piece \"{}\".", id.value),
-                            pattern::placeOf(tack));
-            if (!pattern::isOnCloth(pattern, **piece, point))
-                return fail(ErrorCode::invalidInput,
-                            fmt::format("This tack lies outside the piece \"{}\".", (*piece)->name),
-                            pattern::placeOf(tack));
+            expects(piece != pattern.pieces.end(), "checkPattern finds tacks of pieces that there are not");
             state.ends[end] = meshPointAt(mesh, static_cast<int>(piece - pattern.pieces.begin()), point);
             if (const auto* fabric = pattern::findFabric(pattern, (*piece)->fabric))
                 state.length += 0.5 * fabric->thickness;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/Result.h"
 #include "core/dynamics/Stage.h"
 #include "core/pattern/Pattern.h"
 #include "core/simulation/ParticleMap.h"
@@ -50,9 +49,9 @@ struct TackSettings {
     int iterations = 4;        ///< sweeps over the tacks in a substep
 };
 
-/// The tacks of a pattern in a mesh of it. Errors name a tack that is not on its piece.
-[[nodiscard]] Result<std::vector<TackState>> tacksOf(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh,
-                                                     const TackSettings& settings = {});
+/// The tacks of a pattern without errors (pattern::checkPattern) in a mesh of it.
+[[nodiscard]] std::vector<TackState> tacksOf(const pattern::Pattern& pattern, const meshing::GarmentMesh& mesh,
+                                             const TackSettings& settings = {});
 
 /// From the first end to the second [m].
 [[nodiscard]] Vec3 wayBetween(const TackState& tack, const ParticleMap& particles, std::span<const Vec3> positions);

@@ -39,6 +39,17 @@ private slots:
     void fiveHundredEditsWhileItSews();
 };
 
+namespace {
+
+/// Two squares, a seam of which names an edge that there is not.
+Scene unbuildable() {
+    Scene scene = twoSquares(0.05);
+    scene.pattern.seams[0].sides[0][0].edge = pattern::EdgeId("none");
+    return scene;
+}
+
+} // namespace
+
 void tst_Runner::aSceneGivesAFrameAtOnce() {
     Runner runner;
     QVERIFY(!runner.takeFrame());
@@ -133,9 +144,7 @@ void tst_Runner::aFrameStepIsNotWaitedFor() {
 
 void tst_Runner::aWrongSceneGivesAMessage() {
     Runner runner;
-    Scene scene = twoSquares(0.05);
-    scene.pattern.seams[0].sides[0][0].edge = pattern::EdgeId("none");
-    runner.setScene(scene, 1);
+    runner.setScene(unbuildable(), 1);
     const auto frame = waitForFrame(runner, [](const Frame& f) { return !f.message.empty(); });
     QVERIFY(frame);
     QVERIFY(frame->positions.empty());
@@ -167,12 +176,10 @@ void tst_Runner::whatTheMesherDoesNotAskAboutIsCheckedToo() {
 void tst_Runner::aGarmentGoesOnAfterASceneThatCannotBeBuilt() {
     Runner runner;
     const Scene scene = twoSquares(0.05);
-    Scene wrong = scene;
-    wrong.pattern.seams[0].sides[0][0].edge = pattern::EdgeId("none");
     runner.setScene(scene, 1);
     runner.play();
     QVERIFY(waitForFrame(runner, [](const Frame& f) { return f.time > 0.05; }));
-    runner.setScene(wrong, 2);
+    runner.setScene(unbuildable(), 2);
     QVERIFY(waitForFrame(runner, [](const Frame& f) { return f.generation == 2 && !f.message.empty(); }));
     QVERIFY(!runner.isPlaying());
     runner.step(); // nothing to be stepped
@@ -183,9 +190,7 @@ void tst_Runner::aGarmentGoesOnAfterASceneThatCannotBeBuilt() {
 
 void tst_Runner::aSceneThatCannotBeBuiltDoesNotPlay() {
     Runner runner;
-    Scene wrong = twoSquares(0.05);
-    wrong.pattern.seams[0].sides[0][0].edge = pattern::EdgeId("none");
-    runner.setScene(wrong, 1);
+    runner.setScene(unbuildable(), 1);
     const auto refused = waitForFrame(runner, [](const Frame& f) { return !f.message.empty(); });
     QVERIFY(refused);
     for (const auto& order : {&Runner::play, &Runner::step}) {
