@@ -64,6 +64,11 @@ Result<void> judgeStart(OpenedScene& opened, const simulation::Simulation& simul
                     fmt::format("The garment starts {}: place its pieces clear of it, or leave out --strict.", overlap),
                     {.file = options.file});
     opened.warnings.push_back({"start", fmt::format("The garment starts {}.", overlap)});
+    const auto& pieces = simulation.scene().pattern.pieces;
+    for (const auto& [a, b] : simulation.meeting())
+        opened.warnings.push_back(
+            {fmt::format("pieces \"{}\" and \"{}\"", pieces[a]->name, pieces[b]->name),
+             "They are placed through each other: while the garment is sewn they are let through, then drawn apart."});
     return {};
 }
 

@@ -24,12 +24,17 @@ SelfContact::SelfContact(const cloth::ClothModel& model, ClothSurface surface, S
                 surface_.room.size() == count,
             "one value per particle");
     expects(surface_.becomes.empty() || surface_.becomes.size() == count, "one per particle, or none");
+    expects(surface_.passing.empty() || surface_.pieces.size() == surface_.triangles.size(),
+            "of what passes it is known of which piece it is");
     for (std::size_t s = 0; s < model.slaves.size(); ++s) {
         const cloth::Slave& slave = model.slaves[s];
         slaveOf_[slave.particle] = static_cast<int>(s);
         mass_[slave.particle] = 0;
         for (const auto& [master, weight] : slave.masters) mass_[slave.particle] += weight * model.mass[master];
     }
+    if (!surface_.passing.empty()) piecesOf_.resize(count);
+    for (std::size_t t = 0; t < surface_.triangles.size() && !piecesOf_.empty(); ++t)
+        for (const int corner : surface_.triangles[t]) piecesOf_[corner].insert(surface_.pieces[t]);
     for (const double half : surface_.halfThickness) thickest_ = std::max(thickest_, 2 * half);
     std::vector<double> rooms = surface_.room;
     const auto middle = rooms.begin() + std::ssize(rooms) / 2;

@@ -29,6 +29,9 @@ struct ClothSurface {
         {}; ///< of each triangle; the higher lies on the right side of the lower. Empty = all alike
     std::vector<int> becomes =
         {}; ///< which particle it will be part of when open seams are closed; empty = none is open
+    std::vector<int> pieces = {}; ///< of each triangle; empty where none pass
+    std::vector<std::array<int, 2>> passing =
+        {}; ///< pieces, the lower first, that are let through each other, as they began in each other
 };
 
 struct SelfContactSettings {
@@ -84,8 +87,10 @@ public:
     [[nodiscard]] int crossings() const { return static_cast<int>(piercings_.size()); }
     /// Where they are: the middles of the edges [m].
     [[nodiscard]] std::vector<Vec3> crossingPlaces(std::span<const Vec3> positions) const;
-    /// No layer has crossed another since the last one that had was drawn apart, and no seam is open.
-    [[nodiscard]] bool guaranteed() const { return !mayPierce_ && surface_.becomes.empty(); }
+    /// No layer has crossed another since the last one that had was drawn apart, no seam is open and no piece passes.
+    [[nodiscard]] bool guaranteed() const {
+        return !mayPierce_ && surface_.becomes.empty() && surface_.passing.empty();
+    }
     /// How often neighbours were sought, and how many pairs are near now.
     [[nodiscard]] int searches() const { return searches_; }
     /// How often they were sought only round the particles that had strayed.
@@ -147,6 +152,8 @@ private:
     using Pressed = std::map<collision::ElementPair, double>; ///< normal forces of pairs that had one [N]
     void add(const collision::SelfProximity::Near& near, const Pressed& pressed);
     [[nodiscard]] bool isIgnored(const collision::ElementPair& pair) const;
+    [[nodiscard]] bool willBeOne(const collision::ElementPair& pair) const;
+    [[nodiscard]] bool passes(const collision::ElementPair& pair) const;
     [[nodiscard]] Contact contactOf(const collision::ElementPair& pair) const;
     [[nodiscard]] double targetOf(const collision::ElementPair& pair) const;
     [[nodiscard]] double doneAt(double time) const;
@@ -216,6 +223,7 @@ private:
     SelfContactSettings settings_;
     std::vector<double> mass_;                  ///< of particles; of slaves, what their masters make of it [kg]
     std::vector<int> slaveOf_;                  ///< index into model.slaves, −1 = none
+    std::vector<std::set<int>> piecesOf_;       ///< of each particle, of a seam's row several; empty where none pass
     double thickest_ = 0;                       ///< largest target [m]
     double mostSlack_ = 0, mostStaticMove_ = 0; ///< of the settings, for this cloth [m]
 
@@ -234,6 +242,7 @@ private:
     double awakeDone_ = 0,
            awakeStrayed_ = 0; ///< up to which part of the ways, and so far from them [m], the others have not
     std::vector<collision::Piercing> piercings_;
+    std::set<collision::ElementPair> crossed_;      ///< pairs that are not held, for an edge to come out of a triangle
     std::vector<std::array<int, 2>> edgeTriangles_; ///< beside each edge, alike at a border; none if layers are alike
     bool mayPierce_ = true;                         ///< until a search has found no piercing
     std::vector<Vec3> from_,

@@ -26,9 +26,16 @@ constexpr int tentative = 2;
 /// One of all ways to name a pair.
 ElementPair inOrder(ElementPair pair) {
     auto& v = pair.vertices;
-    std::sort(v.begin() + pair.firstCount, v.end());
-    if (pair.firstCount == 1) return pair;
-    if (v[0] > v[1]) std::swap(v[0], v[1]);
+    const auto order = [&v](int i, int k) {
+        if (v[i] > v[k]) std::swap(v[i], v[k]);
+    };
+    order(2, 3);
+    if (pair.firstCount == 1) {
+        order(1, 2);
+        order(2, 3);
+        return pair;
+    }
+    order(0, 1);
     if (v[0] > v[2]) v = {v[2], v[3], v[0], v[1]};
     return pair;
 }
@@ -147,7 +154,7 @@ bool SelfContact::watch(const collision::SelfProximity::Pairs& pairs, std::span<
         ++shortSearches_;
         return false;
     }
-    const std::set<ElementPair> crossed = crossedPairs();
+    crossed_ = crossedPairs();
     Pressed pressed;
     for (std::size_t i = 0; i < watches_.size(); ++i)
         if (contacts_[i].normalForce > 0) pressed.emplace(watches_[i].elements, contacts_[i].normalForce);
@@ -157,8 +164,7 @@ bool SelfContact::watch(const collision::SelfProximity::Pairs& pairs, std::span<
     isComingKnown_ = false;
     watches_.reserve(pairs->size());
     contacts_.reserve(pairs->size());
-    for (const auto& near : *pairs)
-        if (crossed.empty() || !crossed.contains(inOrder(near.pair))) add(near, pressed);
+    for (const auto& near : *pairs) add(near, pressed);
     margins_.clear();
     awake_.clear();
     awakeDone_ = awakeStrayed_ = -1;
@@ -168,10 +174,10 @@ bool SelfContact::watch(const collision::SelfProximity::Pairs& pairs, std::span<
     return true;
 }
 
-/// Watches a pair, unless it is one that a seam brings together.
+/// Watches a pair, unless it is one that a seam brings together, of pieces that pass, or to be drawn through itself.
 void SelfContact::add(const collision::SelfProximity::Near& near, const Pressed& pressed) {
     const auto& [pair, distance, order] = near;
-    if (isIgnored(pair)) return;
+    if (isIgnored(pair) || (!crossed_.empty() && crossed_.contains(inOrder(pair)))) return;
     watches_.push_back({pair, targetOf(pair), distance, distance, distance, order});
     contacts_.push_back(contactOf(pair));
     if (const auto known = pressed.find(pair); known != pressed.end()) contacts_.back().normalForce = known->second;
@@ -201,11 +207,28 @@ SelfContact::Contact SelfContact::contactOf(const ElementPair& pair) const {
 }
 
 bool SelfContact::isIgnored(const ElementPair& pair) const {
+    return willBeOne(pair) || passes(pair);
+}
+
+bool SelfContact::willBeOne(const ElementPair& pair) const {
     if (surface_.becomes.empty()) return false;
     for (int i = 0; i < pair.firstCount; ++i)
         for (int k = pair.firstCount; k < 4; ++k)
             if (surface_.becomes[pair.vertices[i]] == surface_.becomes[pair.vertices[k]]) return true;
     return false;
+}
+
+/// What lies along a seam is of the pieces on both its sides, and passes what either passes.
+bool SelfContact::passes(const ElementPair& pair) const {
+    const std::span<const int> first = std::span(pair.vertices).first(pair.firstCount),
+                               second = std::span(pair.vertices).subspan(pair.firstCount);
+    const auto areOf = [&](std::span<const int> vertices, int piece) {
+        return std::ranges::all_of(vertices, [&](int vertex) { return piecesOf_[vertex].contains(piece); });
+    };
+    return std::ranges::any_of(surface_.passing, [&](const std::array<int, 2>& pieces) {
+        const auto& [a, b] = pieces;
+        return (areOf(first, a) && areOf(second, b)) || (areOf(first, b) && areOf(second, a));
+    });
 }
 
 /// Finds the direction and the weights of the shortest way at some positions.

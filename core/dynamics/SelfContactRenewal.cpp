@@ -27,10 +27,9 @@ constexpr double stopped = 1.0 / 1024;
 
 } // namespace
 
-/// False where all neighbours must be sought anew: too many have strayed, or layers may cross. What was foreseen is
-/// spoilt then.
+/// False where all neighbours must be sought anew, as too many have strayed. What was foreseen is spoilt then.
 bool SelfContact::renew(const Substep& substep) {
-    if (from_.size() != substep.positions.size() || mayPierce_ || !foreseeStrayed(substep)) return false;
+    if (from_.size() != substep.positions.size() || !foreseeStrayed(substep)) return false;
     const auto found = proximity_->pairsOfFlagged(strayed_, from_, moves_, settings_.mostPairs, substep.team);
     if (!found || found->size() + watches_.size() > settings_.mostPairs) return false;
     replaceFlagged(*found);

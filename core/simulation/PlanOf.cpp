@@ -51,9 +51,9 @@ void leaveOutElements(StepPlan& plan, const Garment& garment) {
 } // namespace
 
 StepPlan planOf(const Scene& scene, const Garment& garment, const Garment& awake, const collision::BodySurface* body,
-                std::unique_ptr<BodyPins> carried, std::vector<SeamPair> pairs, std::span<const TackState> tacks,
-                std::shared_ptr<const std::vector<Grip>> grips, std::span<const Vec3> positions,
-                std::span<const std::string> forced, Phase phase) {
+                std::unique_ptr<BodyPins> carried, DressingNow now, std::shared_ptr<const std::vector<Grip>> grips,
+                std::span<const Vec3> positions, std::span<const std::string> forced) {
+    auto& [phase, pairs, tacks, meeting] = now;
     const bool isSewing = phase == Phase::sewing;
     const auto isForced = [&](std::string_view stage) { return std::ranges::find(forced, stage) != forced.end(); };
     StepPlan plan;
@@ -115,7 +115,8 @@ StepPlan planOf(const Scene& scene, const Garment& garment, const Garment& awake
     else plan.leaveOut("seams that meet", body ? "all seams are merged" : "no body parts them");
 
     if (!whyNot.empty()) plan.leaveOut("self-contact", whyNot);
-    else plan.add(selfContactOf(scene, garment)); // last: it goes back where anything has pushed layers through layers
+    else // last: it goes back where anything has pushed layers through layers
+        plan.add(selfContactOf(scene, garment, isSewing ? meeting : std::span<const PiecePair>{}));
     return plan;
 }
 

@@ -57,7 +57,7 @@ bool canReachItself(const Garment& garment) {
     return common.empty() && triangles.size() > 2;
 }
 
-dynamics::ClothSurface clothSurfaceOf(const Scene& scene, const Garment& garment) {
+dynamics::ClothSurface clothSurfaceOf(const Scene& scene, const Garment& garment, std::span<const PiecePair> passing) {
     const std::vector<RestTriangle> triangles = restTriangles(garment);
     dynamics::ClothSurface surface;
     const bool layered = std::ranges::any_of(
@@ -65,16 +65,19 @@ dynamics::ClothSurface clothSurfaceOf(const Scene& scene, const Garment& garment
     for (const RestTriangle& t : triangles) {
         surface.triangles.push_back(t.particles);
         if (layered) surface.layers.push_back(scene.pattern.pieces[t.piece]->layer);
+        if (!passing.empty()) surface.pieces.push_back(static_cast<int>(t.piece));
     }
     surface.halfThickness = garment.halfThickness;
     surface.friction = garment.friction;
     surface.room = roomOf(triangles, garment.particles.particleCount);
     surface.becomes = whatBecomesOf(garment);
+    surface.passing.assign(passing.begin(), passing.end());
     return surface;
 }
 
-std::unique_ptr<dynamics::SelfContact> selfContactOf(const Scene& scene, const Garment& garment) {
-    return std::make_unique<dynamics::SelfContact>(garment.model, clothSurfaceOf(scene, garment));
+std::unique_ptr<dynamics::SelfContact> selfContactOf(const Scene& scene, const Garment& garment,
+                                                     std::span<const PiecePair> passing) {
+    return std::make_unique<dynamics::SelfContact>(garment.model, clothSurfaceOf(scene, garment, passing));
 }
 
 } // namespace toile::simulation

@@ -45,8 +45,9 @@ Simulation::Simulation(Scene scene, SceneParts parts, MeshOverrides overrides)
     : scene_(std::move(scene)), garment_(std::make_unique<const Garment>(std::move(parts.garment))),
       body_(std::move(parts.body)), topology_(topologyOf(scene_.pattern, *garment_->mesh)),
       grips_(std::make_shared<std::vector<Grip>>()), overrides_(std::move(overrides)), tacks_(std::move(parts.tacks)) {
-    state_.positions = particlePositions(garment_->particles,
-                                         placedNodes(layersApart(scene_.pattern, *garment_->mesh), *garment_->mesh));
+    const std::vector<Vec3> placed = placedNodes(layersApart(scene_.pattern, *garment_->mesh), *garment_->mesh);
+    if (scene_.settings.selfContact) meeting_ = meetingPieces(*garment_->mesh, placed);
+    state_.positions = particlePositions(garment_->particles, placed);
     state_.velocities.assign(state_.positions.size(), Vec3{});
     for (std::size_t seam = 0; seam < garment_->mesh->seams.size(); ++seam) {
         const pattern::Seam& authored = scene_.pattern.seams[seam];
@@ -91,8 +92,8 @@ void Simulation::planAnew() {
     Scene now = scene_;
     if (phase_ != Phase::draping && hangsBy_.empty()) now.settings.bodyFriction = 0;
     const StepPlan before =
-        std::exchange(plan_, planOf(now, *garment_, awake(), body_.get(), carriedAlong(), std::move(pairs), tacks_,
-                                    grips_, state_.positions, forced_, phase_));
+        std::exchange(plan_, planOf(now, *garment_, awake(), body_.get(), carriedAlong(),
+                                    {phase_, std::move(pairs), tacks_, meeting_}, grips_, state_.positions, forced_));
     const auto* touched = bodyContactIn(before);
     auto* touches = bodyContactIn(plan_);
     if (touches && touched && plannedFor_ == garment_.get()) touches->goOnFrom(*touched, state_.positions);

@@ -20,6 +20,7 @@
 #include "core/simulation/Grips.h"
 #include "core/simulation/InPlace.h"
 #include "core/simulation/LevelsOf.h"
+#include "core/simulation/MeetingPieces.h"
 #include "core/simulation/Scene.h"
 #include "core/simulation/SceneParts.h"
 #include "core/simulation/Sleepers.h"
@@ -192,6 +193,9 @@ public:
     [[nodiscard]] int fullSubsteps() const; ///< that position-based steps of this cloth need if no level corrects them
     [[nodiscard]] int steps() const { return steps_; }
 
+    /// Pieces that meet where they are placed, and are let through each other while the garment is sewn; none where
+    /// layers are not kept apart.
+    [[nodiscard]] const std::vector<PiecePair>& meeting() const { return meeting_; }
     [[nodiscard]] bool allSeamsMerged() const;
     /// Gap of an open seam's pairs now; zero when merged.
     [[nodiscard]] SeamGap gapOf(std::size_t seam) const;
@@ -332,6 +336,7 @@ private:
     std::vector<std::vector<double>> seamGaps_; ///< of each pair when its seam began to close [m]
     std::vector<double> seamStart_;             ///< when it began [s]; negative = not yet
     std::vector<TackState> tacks_;
+    std::vector<PiecePair> meeting_; ///< as they are placed; none where layers are not kept apart
     Phase phase_ = Phase::sewing;
     std::vector<Vec3> sewnNodes_;   ///< when the last seam was closed; empty: more than weight moved it since
     std::vector<int> hangsBy_;      ///< nodes, of a garment that has been made finer

@@ -28,6 +28,7 @@ private slots:
     void aTimeLimitEndsARunWhereverItIs_data();
     void aTimeLimitEndsARunWhereverItIs();
     void aStartInTheBodyIsWarnedOfRefusedOrArranged();
+    void piecesThatArePlacedThroughEachOtherAreNamed();
     void everyMethodDrapesWhatXpbdHasSewn_data();
     void everyMethodDrapesWhatXpbdHasSewn();
     void thePaperGoesItsOwnWayFromEndToEnd();
@@ -264,6 +265,21 @@ void tst_SewCommand::aStartInTheBodyIsWarnedOfRefusedOrArranged() {
     const Finished arranged = run({"sew", document, "--seconds", "0.02", "--strict", "--arrange", "auto", "--quiet"});
     QCOMPARE(arranged.status, 3); // in so short a time no seam closes
     QVERIFY(!arranged.err.contains("inside the body"));
+}
+
+void tst_SewCommand::piecesThatArePlacedThroughEachOtherAreNamed() {
+    document::Document document = samples::twoSquares();
+    pattern::Piece right = *document.pattern.pieces[1];
+    right.placement->transform.origin.x -= 0.23; // over the left one by 30 mm
+    document.pattern.pieces[1] = right;
+    QVERIFY(io::writeToile(document, in("over.toile").toStdString()));
+    const auto names = [&](bool selfContact) {
+        const Finished finished = run(QStringList{"sew", in("over.toile"), "--quiet"} +
+                                      (selfContact ? QStringList{"--self-contact"} : QStringList{}));
+        return finished.status == 0 && finished.err.contains("pieces \"Left square\" and \"Right square\": They are "
+                                                             "placed through each other");
+    };
+    QVERIFY(names(true) && !names(false));
 }
 
 void tst_SewCommand::everyMethodDrapesWhatXpbdHasSewn_data() {

@@ -73,6 +73,7 @@ private slots:
     void crossedPiecesGoToTheSidesOfTheirLayers_data();
     void crossedPiecesGoToTheSidesOfTheirLayers();
     void whatASeamWillBringTogetherIsNotPushed();
+    void piecesThatPassAreLetThrough();
     void slavesOfTwoRegionsAreHeldToo();
     void whatPushesASlaveIsNotAddedUp();
     void equalStartsGiveEqualBits();
@@ -228,6 +229,33 @@ void tst_SelfContact::whatASeamWillBringTogetherIsNotPushed() {
     run.frames(2, {});
     for (std::size_t p = 0; p < before.size(); ++p)
         QVERIFY(geometry::distance(before[p], cloth.state.positions[p]) < 1e-9);
+}
+
+/// Two sheets are thrown at one that is held: one passes as if it were alone, the other is stopped.
+void tst_SelfContact::piecesThatPassAreLetThrough() {
+    Cloth cloth;
+    append(cloth, 0.3, 30, 0.3, 30, 0.3, [](const Vec2& m) { return Vec3{m.x - 0.15, 0, 0.15 - m.y}; });
+    pin(cloth, 0, cloth.model.particleCount());
+    std::vector<std::size_t> firstTriangle{0, cloth.surface.triangles.size()};
+    std::vector<int> firstParticle{0, cloth.model.particleCount()};
+    for (const double x : {-0.14, 0.04}) {
+        append(cloth, 0.1, 10, 0.1, 10, 0.3, [=](const Vec2& m) { return Vec3{x + m.x, 0.02, 0.05 - m.y}; });
+        firstTriangle.push_back(cloth.surface.triangles.size());
+        firstParticle.push_back(cloth.model.particleCount());
+    }
+    for (int piece = 0; piece < 3; ++piece) cloth.surface.pieces.resize(firstTriangle[piece + 1], piece);
+    for (int p = firstParticle[1]; p < firstParticle[3]; ++p) cloth.state.velocities[p] = {0, -2, 0};
+    Cloth free = cloth;
+    cloth.surface.passing = {{0, 1}};
+    Run run(cloth);
+    run.frames(3, {});
+    QVERIFY(!run.contact.guaranteed());
+    QCOMPARE(run.contact.crossings(), 0); // that are to be drawn apart
+    dynamics::Xpbd xpbd(free.model, {.damping = 0});
+    for (int f = 0; f < 3; ++f) QVERIFY(xpbd.step(free.state, frame, 20, {}, {}));
+    for (int p = firstParticle[1]; p < firstParticle[2]; ++p)
+        QVERIFY(cloth.state.positions[p] == free.state.positions[p] && cloth.state.positions[p].y < -0.05);
+    for (int p = firstParticle[2]; p < firstParticle[3]; ++p) QVERIFY(cloth.state.positions[p].y > 0);
 }
 
 void tst_SelfContact::slavesOfTwoRegionsAreHeldToo() {

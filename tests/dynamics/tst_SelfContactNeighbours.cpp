@@ -42,6 +42,10 @@ struct OneSubstep {
     }
     std::vector<Vec3> go(std::vector<Vec3> positions, double end, double duration) {
         contact.beginStep({previous, {}, end - duration}, frame);
+        return goOn(std::move(positions), end, duration);
+    }
+    /// In the same step.
+    std::vector<Vec3> goOn(std::vector<Vec3> positions, double end = frame / 20, double duration = frame / 20) {
         dynamics::Substep substep{positions, previous, inverseMass, duration, end};
         contact.project(substep);
         return positions;
@@ -71,6 +75,16 @@ Cloth fallingSheet(double speed) {
     return cloth;
 }
 
+/// Two sheets that cross along a line through the middle of both.
+Cloth slopedThroughLevel() {
+    Cloth cloth;
+    append(cloth, 0.1, 10, 0.1, 10, 0.3, level(0));
+    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) {
+        return Vec3{m.x - 0.05, 0.3 * (m.x - 0.05), 0.05 - m.y};
+    });
+    return cloth;
+}
+
 std::set<ElementPair> elementsOf(const std::vector<collision::SelfProximity::Near>& found) {
     std::set<ElementPair> pairs;
     for (const auto& near : found) pairs.insert(near.pair);
@@ -90,6 +104,7 @@ private slots:
     void whoeverStraysLayersStayApart();
     void noPairIsMissedWhateverPartOfTheirWaysParticlesGo();
     void besideACrossingAllButWhatMustPassIsWatched();
+    void besideACrossingWhoStraysIsSoughtAloneToo();
     void whatWasSoughtBeyondALayerIsHeldBeforeIt();
     void aStepThatIsRepeatedForgetsTheOneBefore();
     void withRoomForFewPairsLayersStayApart_data();
@@ -228,11 +243,7 @@ void tst_SelfContactNeighbours::noPairIsMissedWhateverPartOfTheirWaysParticlesGo
 
 void tst_SelfContactNeighbours::besideACrossingAllButWhatMustPassIsWatched() {
     constexpr std::size_t perCrossing = 5; // an edge with the sides of a triangle, its ends with the triangle
-    Cloth cloth;
-    append(cloth, 0.1, 10, 0.1, 10, 0.3, level(0));
-    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) {
-        return Vec3{m.x - 0.05, 0.3 * (m.x - 0.05), 0.05 - m.y};
-    });
+    const Cloth cloth = slopedThroughLevel();
     SelfContactSettings settings;
     settings.slackOfRoom = 1;
     OneSubstep substep(cloth, settings);
@@ -243,6 +254,24 @@ void tst_SelfContactNeighbours::besideACrossingAllButWhatMustPassIsWatched() {
                       watched = substep.contact.nearPairs();
     QVERIFY2(crossings > 10 && watched < all && watched + perCrossing * crossings >= all,
              qPrintable(QString("%1 of %2 pairs, %3 crossings").arg(watched).arg(all).arg(crossings)));
+}
+
+/// It is held, and let through, as by a search for all.
+void tst_SelfContactNeighbours::besideACrossingWhoStraysIsSoughtAloneToo() {
+    const Cloth cloth = slopedThroughLevel();
+    const std::vector<Vec3>& still = cloth.state.positions;
+    const std::size_t first = still.size() / 2;                     // of the sloped sheet
+    for (const std::size_t one : {first, first + 38, first + 49}) { // at a corner, near the line of the crossing, on it
+        std::vector<Vec3> flung = still;
+        flung[one] += Vec3{0.003, -0.01, 0.002};
+        OneSubstep watched(cloth), fresh(cloth);
+        QVERIFY(watched.go(still) != still); // the sheets are drawn apart
+        QCOMPARE(watched.contact.searches(), 1);
+        const std::vector<Vec3> held = watched.goOn(flung);
+        QVERIFY(watched.contact.crossings() > 10 && watched.contact.renewals() > 0);
+        QCOMPARE(watched.contact.searches(), 1);
+        QVERIFY(held == fresh.go(flung));
+    }
 }
 
 /// An explicit method may look at forces where a sheet has gone through another, and there seek neighbours, before it

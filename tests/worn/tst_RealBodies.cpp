@@ -91,6 +91,7 @@ private slots:
     void theBlouseMadeToMeasureIsWorn();
     void importedPatternsAreSewn_data();
     void importedPatternsAreSewn();
+    void importedTrousersAreSewnWithTheirLayersApart();
 };
 
 void tst_RealBodies::init() {
@@ -148,6 +149,17 @@ void tst_RealBodies::importedPatternsAreSewn() {
     QCOMPARE(static_cast<int>(report.seams.size()), seams);
     for (const SeamResult& seam : report.seams) QVERIFY2(seam.state.merged, seam.state.name.c_str());
     QCOMPARE(report.worn->turnedLength, 0.0);
+}
+
+/// Their fronts are drawn beside each other and overlap at the crotch, and so do their backs.
+void tst_RealBodies::importedTrousersAreSewnWithTheirLayersApart() {
+    const body::Body body = woman();
+    Scene scene{startingClearOf(imported("titan_trousers"), body), Shared<body::Body>(body), {}};
+    scene.settings.selfContact = true;
+    const SewReport report = sewnFor(5, std::move(scene));
+    for (const SeamResult& seam : report.seams) QVERIFY2(seam.state.merged, seam.state.name.c_str());
+    QCOMPARE(report.contact.selfIntersections, 0);
+    QCOMPARE(report.contact.bodyIntersections, 0);
 }
 
 TOILE_TEST(tst_RealBodies)
