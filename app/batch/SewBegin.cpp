@@ -57,6 +57,11 @@ std::string overlapAtStart(const simulation::Simulation& simulation) {
 
 /// Error with --strict, else a warning.
 Result<void> judgeStart(OpenedScene& opened, const simulation::Simulation& simulation, const SewOptions& options) {
+    const auto& pieces = simulation.scene().pattern.pieces;
+    for (const auto& [a, b] : simulation.meeting())
+        opened.warnings.push_back({fmt::format("pieces \"{}\" and \"{}\"", pieces[a]->name, pieces[b]->name),
+                                   "They are placed through each other: while the garment is sewn they are let "
+                                   "through, then drawn apart. What lies in one plane starts 5 mm apart."});
     const std::string overlap = overlapAtStart(simulation);
     if (overlap.empty()) return {};
     if (options.strict)
@@ -64,11 +69,6 @@ Result<void> judgeStart(OpenedScene& opened, const simulation::Simulation& simul
                     fmt::format("The garment starts {}: place its pieces clear of it, or leave out --strict.", overlap),
                     {.file = options.file});
     opened.warnings.push_back({"start", fmt::format("The garment starts {}.", overlap)});
-    const auto& pieces = simulation.scene().pattern.pieces;
-    for (const auto& [a, b] : simulation.meeting())
-        opened.warnings.push_back(
-            {fmt::format("pieces \"{}\" and \"{}\"", pieces[a]->name, pieces[b]->name),
-             "They are placed through each other: while the garment is sewn they are let through, then drawn apart."});
     return {};
 }
 

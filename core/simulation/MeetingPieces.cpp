@@ -2,8 +2,10 @@
 #include "core/simulation/MeetingPieces.h"
 
 #include "core/collision/Intersections.h"
+#include "core/pattern/PatternPlacement.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace toile::simulation {
 namespace {
@@ -39,6 +41,17 @@ bool areNeighbours(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
     return common == 1 || common == 2;
 }
 
+constexpr double clearance = 0.005; // [m]
+
+/// Nearer than the clearance.
+bool lieInOnePlane(const pattern::Placement& a, const pattern::Placement& b) {
+    constexpr double slope = 1e-3; // a millimetre in a metre
+    const Vec3& normal = a.transform.axisZ;
+    const double height = dot(b.transform.origin - a.transform.origin, normal);
+    return !a.curl && !b.curl && length(cross(normal, b.transform.axisZ)) < slope &&
+           std::abs(height) < 0.99 * clearance;
+}
+
 bool meet(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b) {
     const auto cornersOf = [](const geometry::TriangleMesh& mesh, int triangle) {
         const auto& [p, q, r] = mesh.triangles[triangle];
@@ -59,6 +72,22 @@ std::vector<PiecePair> meetingPieces(const meshing::GarmentMesh& mesh, std::span
             if (boxesMeet(pieces[a].box, pieces[b].box) && meet(pieces[a].mesh, pieces[b].mesh))
                 meeting.push_back({static_cast<int>(a), static_cast<int>(b)});
     return meeting;
+}
+
+pattern::Pattern offEachOther(const pattern::Pattern& pattern, std::span<const PiecePair> meeting) {
+    pattern::Pattern apart = pattern;
+    const auto placementOf = [&](int piece) { return apart.pieces[piece]->placement.value_or(pattern::Placement{}); };
+    for (int piece = 0; piece < static_cast<int>(apart.pieces.size()); ++piece) {
+        const auto liesOnAnEarlierOne = [&](const PiecePair& pair) {
+            return pair[1] == piece && lieInOnePlane(placementOf(pair[0]), placementOf(piece));
+        };
+        while (std::ranges::any_of(meeting, liesOnAnEarlierOne)) {
+            pattern::Piece moved = *apart.pieces[piece];
+            moved.placement = pattern::movedOutward(placementOf(piece), clearance);
+            apart.pieces[piece] = std::move(moved);
+        }
+    }
+    return apart;
 }
 
 } // namespace toile::simulation

@@ -45,8 +45,10 @@ Simulation::Simulation(Scene scene, SceneParts parts, MeshOverrides overrides)
     : scene_(std::move(scene)), garment_(std::make_unique<const Garment>(std::move(parts.garment))),
       body_(std::move(parts.body)), topology_(topologyOf(scene_.pattern, *garment_->mesh)),
       grips_(std::make_shared<std::vector<Grip>>()), overrides_(std::move(overrides)), tacks_(std::move(parts.tacks)) {
-    const std::vector<Vec3> placed = placedNodes(layersApart(scene_.pattern, *garment_->mesh), *garment_->mesh);
-    if (scene_.settings.selfContact) meeting_ = meetingPieces(*garment_->mesh, placed);
+    const meshing::GarmentMesh& mesh = *garment_->mesh;
+    std::vector<Vec3> placed = placedNodes(layersApart(scene_.pattern, mesh), mesh);
+    if (scene_.settings.selfContact) meeting_ = meetingPieces(mesh, placed);
+    if (!meeting_.empty()) placed = placedNodes(layersApart(offEachOther(scene_.pattern, meeting_), mesh), mesh);
     state_.positions = particlePositions(garment_->particles, placed);
     state_.velocities.assign(state_.positions.size(), Vec3{});
     for (std::size_t seam = 0; seam < garment_->mesh->seams.size(); ++seam) {

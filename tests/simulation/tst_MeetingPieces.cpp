@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SmallScenes.h"
 #include "core/dynamics/SelfContact.h"
+#include "core/simulation/Inspect.h"
 #include "core/simulation/MeetingPieces.h"
 #include "core/simulation/Topology.h"
 #include "tests/Suite.h"
@@ -42,6 +43,8 @@ class tst_MeetingPieces : public QObject {
 private slots:
     void whoMeetsIsFound_data();
     void whoMeetsIsFound();
+    void whatLiesInOnePlaneStartsApart();
+    void whatLiesOnEachOtherFalls();
     void piecesThatOverlapAreSewnAndDrawnApart();
     void whatIsSewnPassesNoMore();
 };
@@ -67,6 +70,45 @@ void tst_MeetingPieces::whoMeetsIsFound() {
     const meshing::GarmentMesh mesh = meshOf(scene.pattern);
     const std::vector<PiecePair> meeting = meetingPieces(mesh, placedNodes(scene.pattern, mesh));
     QVERIFY(meeting == (meet ? std::vector<PiecePair>{{0, 1}} : std::vector<PiecePair>{}));
+}
+
+/// The third lies on the second alone.
+void tst_MeetingPieces::whatLiesInOnePlaneStartsApart() {
+    Scene scene = twoPlaced({}, {0.15, 0, 0});
+    scene.pattern.pieces.push_back(square("third", {0.3, 0, 0}));
+    scene.pattern.pieces.push_back(square("fourth", {0.25, 0.1, 0}));
+    scene.pattern.pieces.push_back(square("through", {0.1, 0.03, 0.05}, 1.0));
+    const meshing::GarmentMesh mesh = meshOf(scene.pattern);
+    const auto meeting = meetingPieces(mesh, placedNodes(scene.pattern, mesh));
+    const pattern::Pattern apart = offEachOther(scene.pattern, meeting);
+    const auto z = [&](int piece) { return apart.pieces[piece]->placement->transform.origin.z; };
+    QCOMPARE(z(0), 0.0);
+    QCOMPARE(z(1), 0.005);
+    QCOMPARE(z(2), 0.0);  // beyond the second, which lies off it by now
+    QCOMPARE(z(3), 0.01); // over both
+    QVERIFY(*apart.pieces[4] == *scene.pattern.pieces[4]);
+    const Scene clear = twoPlaced({}, {0.3, 0, 0});
+    QVERIFY(offEachOther(clear.pattern, {}) == clear.pattern);
+}
+
+/// Two level squares that overlap in one plane and reach beyond the rim of a table hang down there.
+void tst_MeetingPieces::whatLiesOnEachOtherFalls() {
+    Scene scene = sheetOnTable();
+    scene.settings.selfContact = true;
+    pattern::Piece first = *scene.pattern.pieces[0];
+    first.placement->transform.origin.x = 0.35; // as far on the table as beyond it
+    pattern::Piece second = polygonPiece("second", {{0, 0}, {0.3, 0}, {0.3, 0.3}, {0, 0.3}}, 0.03);
+    second.placement = first.placement;
+    second.placement->transform.origin += Vec3{0.035, 0, 0.08};
+    scene.pattern.pieces = {first, second};
+    Simulation simulation = simulationOf(scene);
+    run(simulation, 60);
+    for (const std::size_t piece : {0, 1}) {
+        double lowest = 1;
+        for (const Vec3& node : nodesOf(simulation, piece)) lowest = std::min(lowest, node.y);
+        QVERIFY2(lowest < 0.45, qPrintable(QString::number(lowest)));
+    }
+    QCOMPARE(contactOf(simulation).selfIntersections, 0);
 }
 
 /// As the fronts of trousers at the crotch, drawn beside each other: the side that is sewn of each lies beyond that of
