@@ -191,6 +191,9 @@ private:
     [[nodiscard]] Vec3 normalOf(int triangle, std::span<const Vec3> positions) const;
     [[nodiscard]] Vec3 orderlyWay(const collision::Piercing& piercing, const Vec3& normal,
                                   std::span<const Vec3> positions) const;
+    void findWhatWentThrough();
+    [[nodiscard]] Vec3 wayBack(const collision::Piercing& piercing, const Vec3& normal,
+                               std::span<const Vec3> positions) const;
     [[nodiscard]] Vec3 shorteningWay(const collision::Piercing& piercing, const Vec3& normal,
                                      std::span<const Vec3> positions) const;
     void findTrianglesOfEdges();
@@ -242,6 +245,7 @@ private:
     double awakeDone_ = 0,
            awakeStrayed_ = 0; ///< up to which part of the ways, and so far from them [m], the others have not
     std::vector<collision::Piercing> piercings_;
+    std::vector<int> hanging_; ///< of each particle, how many hang on it when all edges that pierce are cut
     std::set<collision::ElementPair> crossed_;      ///< pairs that are not held, for an edge to come out of a triangle
     std::vector<std::array<int, 2>> edgeTriangles_; ///< beside each edge, alike at a border; none if layers are alike
     bool mayPierce_ = true;                         ///< until a search has found no piercing

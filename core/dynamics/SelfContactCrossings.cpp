@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 /// What has passed through itself already: found, and drawn apart.
 namespace toile::dynamics {
@@ -16,6 +17,29 @@ void SelfContact::seekPiercings(std::span<const Vec3> positions) {
         return isIgnored({{p, a, b, c}, 1}) || isIgnored({{q, a, b, c}, 1});
     });
     mayPierce_ = !piercings_.empty();
+    findWhatWentThrough();
+}
+
+/// Cutting all edges that pierce cuts what has gone through off from the cloth it belongs to, where the line of the
+/// crossing goes from border to border or closes on itself: less hangs together there.
+void SelfContact::findWhatWentThrough() {
+    hanging_.clear();
+    if (piercings_.empty()) return;
+    const std::vector<collision::SurfaceEdge>& edges = proximity_->edges();
+    std::vector<char> isCut(edges.size(), 0);
+    for (const collision::Piercing& piercing : piercings_) isCut[piercing.edge] = 1;
+
+    std::vector<int> partOf(model_.mass.size());
+    std::iota(partOf.begin(), partOf.end(), 0);
+    const auto part = [&](int particle) {
+        while (partOf[particle] != particle) particle = partOf[particle] = partOf[partOf[particle]];
+        return particle;
+    };
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        if (isCut[e] == 0) partOf[part(edges[e].vertices[0])] = part(edges[e].vertices[1]);
+    std::vector<int> count(partOf.size(), 0);
+    for (int p = 0; p < static_cast<int>(partOf.size()); ++p) ++count[part(p)];
+    for (int p = 0; p < static_cast<int>(partOf.size()); ++p) hanging_.push_back(count[part(p)]);
 }
 
 std::vector<Vec3> SelfContact::crossingPlaces(std::span<const Vec3> positions) const {
@@ -59,6 +83,27 @@ Vec3 SelfContact::orderlyWay(const collision::Piercing& piercing, const Vec3& no
     return dot(normalOf(first, x) + normalOf(second, x), normal) > 0 ? -normal : normal;
 }
 
+/// The way on which less of the cloth comes back through the other: of an edge that is cut towards its end on which
+/// more hangs; of an edge through a triangle that is, towards the corners on which less hangs. Nowhere where both hang
+/// together still.
+Vec3 SelfContact::wayBack(const collision::Piercing& piercing, const Vec3& normal, std::span<const Vec3> x) const {
+    const auto& [p, q] = proximity_->edges()[piercing.edge].vertices;
+    if (hanging_[p] != hanging_[q]) {
+        const Vec3 out = hanging_[p] < hanging_[q] ? x[q] - x[p] : x[p] - x[q];
+        return dot(normal, out) > 0 ? normal : -normal;
+    }
+    const auto& corners = proximity_->triangles()[piercing.triangle];
+    const int most = std::max({hanging_[corners[0]], hanging_[corners[1]], hanging_[corners[2]]});
+    Vec3 through, behind;
+    int passed = 0;
+    for (const int corner : corners) {
+        const bool isThrough = hanging_[corner] < most;
+        (isThrough ? through : behind) += x[corner];
+        passed += isThrough;
+    }
+    return passed > 0 ? normalized(through / passed - behind / (3 - passed)) : Vec3{};
+}
+
 Vec3 SelfContact::shorteningWay(const collision::Piercing& piercing, const Vec3& normal,
                                 std::span<const Vec3> x) const {
     const collision::SurfaceEdge& edge = proximity_->edges()[piercing.edge];
@@ -79,8 +124,9 @@ Vec3 SelfContact::shorteningWay(const collision::Piercing& piercing, const Vec3&
 }
 
 /// Draws edges out of triangles they pass through: each pair goes apart to the sides that their layers belong to or,
-/// where these are alike, the way that shortens the line along which the layers meet. Ref: Volino & Magnenat-Thalmann
-/// 2006, Resolving Surface Collisions through Intersection Contour Minimization
+/// where these are alike, the way on which what has gone through comes back (Baraff, Witkin & Kass 2003, Untangling
+/// Cloth); where the crossing cuts nothing off, the way that shortens the line along which the layers meet. Ref: Volino
+/// & Magnenat-Thalmann 2006, Resolving Surface Collisions through Intersection Contour Minimization
 void SelfContact::uncross(Substep& substep) const {
     const auto& x = substep.positions;
     for (const collision::Piercing& piercing : piercings_) {
@@ -89,9 +135,10 @@ void SelfContact::uncross(Substep& substep) const {
         const Vec3 &a = x[corners[0]], &b = x[corners[1]], &c = x[corners[2]];
         if (!collision::segmentPierces(x[p], x[q], a, b, c)) continue;
         const Vec3 normal = normalOf(piercing.triangle, x);
-        Vec3 shortening = orderlyWay(piercing, normal, x); // where the edge should go
-        if (shortening == Vec3{}) shortening = shorteningWay(piercing, normal, x);
-        const double size = length(shortening);
+        Vec3 there = orderlyWay(piercing, normal, x); // where the edge should go
+        if (there == Vec3{}) there = wayBack(piercing, normal, x);
+        if (there == Vec3{}) there = shorteningWay(piercing, normal, x);
+        const double size = length(there);
         if (!(size > 1e-6) || !std::isfinite(size)) continue; // the line would not become shorter
         const double t = dot(normal, a - x[p]) / dot(normal, x[q] - x[p]);
         const Vec3 at = lerp(x[p], x[q], t), whole = cross(b - a, c - a);
@@ -100,9 +147,14 @@ void SelfContact::uncross(Substep& substep) const {
         const std::array<int, 5> particles{p, q, corners[0], corners[1], corners[2]};
         const std::array<double, 5> weights{1 - t, t, -ofA, -ofB, ofA + ofB - 1};
         double mobility = 0;
-        for (int i = 0; i < 5; ++i) mobility += weights[i] * weights[i] * substep.inverseMass[particles[i]];
-        if (mobility == 0) continue;
-        const Vec3 way = shortening * (settings_.pushOutSpeed * substep.duration / size);
+        Vec3 gone; // of the edge against the triangle
+        for (int i = 0; i < 5; ++i) {
+            mobility += weights[i] * weights[i] * substep.inverseMass[particles[i]];
+            gone += weights[i] * (x[particles[i]] - substep.previous[particles[i]]);
+        }
+        const double missing = settings_.pushOutSpeed * substep.duration - dot(gone, there) / size;
+        if (mobility == 0 || missing <= 0) continue;
+        const Vec3 way = there * (missing / size);
         for (int i = 0; i < 5; ++i)
             move(particles[i], way * (weights[i] * substep.inverseMass[particles[i]] / mobility), substep);
     }

@@ -70,6 +70,7 @@ private slots:
     void aMeshFinerThanTheClothIsThickStaysFlat();
     void momentumIsKeptWhenLayersMeet();
     void layersThatHaveCrossedAreDrawnApart();
+    void whatHasGoneStraightThroughComesBack();
     void crossedPiecesGoToTheSidesOfTheirLayers_data();
     void crossedPiecesGoToTheSidesOfTheirLayers();
     void whatASeamWillBringTogetherIsNotPushed();
@@ -174,7 +175,8 @@ void tst_SelfContact::layersThatHaveCrossedAreDrawnApart() {
     Cloth cloth = crossedSheets();
     QVERIFY(cloth.intersections() > 10);
     Run run(cloth, 10);
-    run.frames(1, {});
+    std::array<Stage*, 1> stages{&run.contact};
+    QVERIFY(run.xpbd.step(cloth.state, frame / 20, 1, {}, stages));
     QVERIFY(run.contact.crossings() > 0 && !run.contact.guaranteed());
     for (const Vec3& place : run.contact.crossingPlaces(cloth.state.positions))
         QVERIFY(std::abs(place.x + 0.0075) < 0.03 && std::abs(place.y) < 0.01); // where the sheets overlap
@@ -182,6 +184,19 @@ void tst_SelfContact::layersThatHaveCrossedAreDrawnApart() {
     QCOMPARE(cloth.intersections(), 0);
     QCOMPARE(run.contact.crossings(), 0);
     QVERIFY(run.contact.guaranteed() && run.contact.crossingPlaces(cloth.state.positions).empty());
+}
+
+/// The line of the crossing is as long wherever the upright sheet stands in the level one.
+void tst_SelfContact::whatHasGoneStraightThroughComesBack() {
+    Cloth cloth;
+    append(cloth, 0.2, 10, 0.2, 10, 0.3, [](const Vec2& m) { return Vec3{m.x - 0.1, 0, 0.1 - m.y}; });
+    pin(cloth, 0, cloth.model.particleCount());
+    append(cloth, 0.1, 10, 0.1, 10, 0.3, [](const Vec2& m) { return Vec3{m.x - 0.05, m.y - 0.035, 0.003}; });
+    QVERIFY(cloth.intersections() > 10);
+    Run run(cloth, 2);
+    run.frames(60, {});
+    QCOMPARE(cloth.intersections(), 0);
+    QVERIFY(run.contact.guaranteed() && lowest(cloth) > 0); // not the other way, which is longer
 }
 
 void tst_SelfContact::crossedPiecesGoToTheSidesOfTheirLayers_data() {
