@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/SelfContact.h"
 
+#include "core/base/UnionFind.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 /// What has passed through itself already: found, and drawn apart.
 namespace toile::dynamics {
@@ -29,17 +30,12 @@ void SelfContact::findWhatWentThrough() {
     std::vector<char> isCut(edges.size(), 0);
     for (const collision::Piercing& piercing : piercings_) isCut[piercing.edge] = 1;
 
-    std::vector<int> partOf(model_.mass.size());
-    std::iota(partOf.begin(), partOf.end(), 0);
-    const auto part = [&](int particle) {
-        while (partOf[particle] != particle) particle = partOf[particle] = partOf[partOf[particle]];
-        return particle;
-    };
+    UnionFind parts(model_.mass.size());
     for (std::size_t e = 0; e < edges.size(); ++e)
-        if (isCut[e] == 0) partOf[part(edges[e].vertices[0])] = part(edges[e].vertices[1]);
-    std::vector<int> count(partOf.size(), 0);
-    for (int p = 0; p < static_cast<int>(partOf.size()); ++p) ++count[part(p)];
-    for (int p = 0; p < static_cast<int>(partOf.size()); ++p) hanging_.push_back(count[part(p)]);
+        if (isCut[e] == 0) parts.join(edges[e].vertices[0], edges[e].vertices[1]);
+    std::vector<int> count(model_.mass.size(), 0);
+    for (int p = 0; p < model_.particleCount(); ++p) ++count[parts.rootOf(p)];
+    for (int p = 0; p < model_.particleCount(); ++p) hanging_.push_back(count[parts.rootOf(p)]);
 }
 
 std::vector<Vec3> SelfContact::crossingPlaces(std::span<const Vec3> positions) const {

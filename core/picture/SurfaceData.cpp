@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/picture/SurfaceData.h"
 
+#include "core/base/UnionFind.h"
 #include "core/picture/Cavity.h"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 namespace toile::picture {
@@ -37,17 +37,12 @@ std::array<float, 3> asFloats(const Vec3& v) {
 /// For each vertex one that stands for all that are sewn to it.
 std::vector<int> sewnPoints(const std::vector<Vec3>& places, const std::vector<Vec3>& normals,
                             const std::vector<std::vector<std::array<int, 2>>>& seams) {
-    std::vector<int> point(places.size());
-    std::iota(point.begin(), point.end(), 0);
-    const auto root = [&](int vertex) {
-        while (point[vertex] != vertex) vertex = point[vertex] = point[point[vertex]];
-        return vertex;
-    };
+    UnionFind sewn(places.size());
     for (const auto& pairs : seams)
         for (const auto& [a, b] : pairs)
-            if (places[a] == places[b] && dot(normals[a], normals[b]) > 0)
-                point[std::max(root(a), root(b))] = std::min(root(a), root(b));
-    for (std::size_t i = 0; i < point.size(); ++i) point[i] = root(static_cast<int>(i));
+            if (places[a] == places[b] && dot(normals[a], normals[b]) > 0) sewn.join(a, b);
+    std::vector<int> point(places.size());
+    for (std::size_t i = 0; i < point.size(); ++i) point[i] = sewn.rootOf(static_cast<int>(i));
     return point;
 }
 

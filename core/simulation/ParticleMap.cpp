@@ -2,33 +2,9 @@
 #include "core/simulation/ParticleMap.h"
 
 #include "core/base/Contracts.h"
-
-#include <numeric>
+#include "core/base/UnionFind.h"
 
 namespace toile::simulation {
-namespace {
-
-/// Union-find over nodes; the smaller number is the root.
-class Classes {
-public:
-    explicit Classes(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-    int rootOf(int node) {
-        while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
-        return node;
-    }
-    void join(int a, int b) {
-        a = rootOf(a);
-        b = rootOf(b);
-        if (a < b) parent_[b] = a;
-        else parent_[a] = b;
-    }
-
-private:
-    std::vector<int> parent_;
-};
-
-} // namespace
-
 ParticleMap particleMap(const meshing::GarmentMesh& mesh, const std::vector<bool>& mergedSeams) {
     expects(mergedSeams.size() == mesh.seams.size(), "one flag per seam");
     ParticleMap map;
@@ -37,7 +13,7 @@ ParticleMap particleMap(const meshing::GarmentMesh& mesh, const std::vector<bool
         map.firstNode.push_back(nodes);
         nodes += static_cast<int>(piece.nodes.size());
     }
-    Classes classes(nodes);
+    UnionFind classes(nodes);
     for (std::size_t seam = 0; seam < mesh.seams.size(); ++seam)
         if (mergedSeams[seam])
             for (const auto& [a, b] : mesh.seams[seam].pairs) classes.join(map.node(a), map.node(b));
