@@ -174,7 +174,7 @@ bool SelfContact::watch(const collision::SelfProximity::Pairs& pairs, std::span<
     return true;
 }
 
-/// Watches a pair, unless it is one that a seam brings together, of pieces that pass, or to be drawn through itself.
+/// Watches a pair, unless it is one that a seam brings together, of pieces that pass, or of a crossing.
 void SelfContact::add(const collision::SelfProximity::Near& near, const Pressed& pressed) {
     const auto& [pair, distance, order] = near;
     if (isIgnored(pair) || (!crossed_.empty() && crossed_.contains(inOrder(pair)))) return;

@@ -47,7 +47,7 @@ Simulation::Simulation(Scene scene, SceneParts parts, MeshOverrides overrides)
       grips_(std::make_shared<std::vector<Grip>>()), overrides_(std::move(overrides)), tacks_(std::move(parts.tacks)) {
     const meshing::GarmentMesh& mesh = *garment_->mesh;
     std::vector<Vec3> placed = placedNodes(layersApart(scene_.pattern, mesh), mesh);
-    if (scene_.settings.selfContact) meeting_ = meetingPieces(mesh, placed);
+    if (scene_.settings.selfContact && !scene_.paper) meeting_ = meetingPieces(mesh, placed);
     if (!meeting_.empty()) placed = placedNodes(layersApart(offEachOther(scene_.pattern, meeting_), mesh), mesh);
     state_.positions = particlePositions(garment_->particles, placed);
     state_.velocities.assign(state_.positions.size(), Vec3{});

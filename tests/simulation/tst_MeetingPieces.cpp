@@ -47,6 +47,7 @@ private slots:
     void whatLiesOnEachOtherFalls();
     void piecesThatOverlapAreSewnAndDrawnApart();
     void whatIsSewnPassesNoMore();
+    void whoPassesIsKnownToWhatIsResumed();
 };
 
 void tst_MeetingPieces::whoMeetsIsFound_data() {
@@ -134,6 +135,21 @@ void tst_MeetingPieces::whatIsSewnPassesNoMore() {
     QVERIFY(simulation.meeting() == std::vector<PiecePair>({{0, 1}}) && !guaranteed(simulation));
     run(simulation, 60);
     QVERIFY(simulation.allSeamsMerged() && guaranteed(simulation));
+}
+
+/// While it is sewn, to the same bits.
+void tst_MeetingPieces::whoPassesIsKnownToWhatIsResumed() {
+    Scene scene = twoPlaced({}, {0.15, 0, 0});
+    scene.pattern.seams = {seamBetween("middle", "first", "e1", "second", "e3")};
+    scene.settings.seamTime = 0.6;
+    Simulation goesOn = simulationOf(scene);
+    run(goesOn, 5);
+    const Checkpoint point = goesOn.checkpoint();
+    auto resumed = Simulation::resumed(scene, {}, point);
+    QVERIFY(resumed && goesOn.phase() == Phase::sewing && resumed->meeting() == goesOn.meeting());
+    run(goesOn, 60);
+    run(*resumed, 60);
+    QVERIFY(goesOn.allSeamsMerged() && goesOn.nodePositions() == resumed->nodePositions());
 }
 
 TOILE_TEST(tst_MeetingPieces, QCoreApplication)
