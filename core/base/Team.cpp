@@ -8,8 +8,8 @@
 namespace toile {
 namespace {
 
-/// How often a thread looks before it sleeps: some 30 µs on processors whose pause takes 40 to 140 cycles.
-constexpr int patience = 800;
+/// How often a thread looks before it sleeps: 0.1 to 0.4 ms on processors whose pause takes 40 to 140 cycles.
+constexpr int patience = 8000;
 
 void pause() {
 #if defined(__x86_64__) || defined(__i386__)

@@ -12,8 +12,8 @@
 namespace toile {
 
 /// Threads that share out work among themselves and whoever calls them. They are started when they are needed first.
-/// Between calls they look out for the next one for some microseconds, then sleep: work of 20 µs and more is shared
-/// at a profit where calls follow each other closely.
+/// Between calls they look out for the next one for a fraction of a millisecond, then sleep: work of 20 µs and more is
+/// shared at a profit where calls follow each other closely.
 class Team {
 public:
     /// members: with whoever calls; 0 = one for each core.

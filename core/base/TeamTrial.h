@@ -13,31 +13,41 @@ namespace toile {
 class TeamTrial {
 public:
     /// Whether the next step is to be shared out.
-    [[nodiscard]] bool shares() const { return step_ < turns ? (step_ + 1) / 2 % 2 == 0 : pays_; }
+    [[nodiscard]] bool shares() const { return isTrying_ ? (step_ + 1) / 2 % 2 == 0 : pays_; }
 
     /// That step took so long [s].
     void took(double seconds) {
-        if (step_ < turns) {
+        if (isTrying_) {
             double& ratio = ratios_[step_ / 2];
             const double factor = shares() ? seconds : 1 / seconds;
             ratio = step_ % 2 == 0 ? factor : ratio * factor;
+            if (step_ % 2 == 1) judge(step_ / 2 + 1);
         }
-        ++step_;
-        if (step_ == turns) {
-            std::ranges::nth_element(ratios_, ratios_.begin() + pairs / 2);
-            pays_ = ratios_[pairs / 2] < worth;
-        }
-        if (step_ == period) step_ = 0;
+        if (++step_ < period) return;
+        step_ = 0;
+        isTrying_ = true;
     }
 
 private:
-    static constexpr int pairs = 5, turns = 2 * pairs, period = 64; // pairs of steps, steps
+    void judge(int pairs) {
+        if (pairs == few && *std::max_element(ratios_.begin(), ratios_.begin() + few) < clearlyWorth) pays_ = true;
+        else if (pairs == most) {
+            std::ranges::nth_element(ratios_, ratios_.begin() + most / 2);
+            pays_ = ratios_[most / 2] < worth;
+        } else return;
+        isTrying_ = false;
+    }
+
+    static constexpr int few = 2, most = 5; // pairs of steps that are tried
+    static constexpr int period = 128;      // steps
     /// Threads that look out for work cost processor time also where they bring none [–].
     static constexpr double worth = 0.95;
+    /// In few pairs. A trial costs what its steps alone are slower: where sharing is worth much, that is much [–].
+    static constexpr double clearlyWorth = 0.8;
 
     int step_ = 0; ///< of the period
-    bool pays_ = true;
-    std::array<double, pairs> ratios_{}; ///< of a pair's times, shared to alone [–]
+    bool isTrying_ = true, pays_ = true;
+    std::array<double, most> ratios_{}; ///< of a pair's times, shared to alone [–]
 };
 
 } // namespace toile

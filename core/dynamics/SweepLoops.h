@@ -66,7 +66,7 @@ void sweepLinear(Place* places, std::span<const LinearElement<N>> elements) {
 /// over the cap; where it is infinite, λ is 0.
 template <int N>
 TOILE_LANES void solve(Four (&a)[N][N], Four (&lambda)[N], const Four (&values)[N], const Four (&compliance)[N],
-                       double cap) {
+                       Four perCap) {
     Four inverse[N];
     for (int i = 0; i < N; ++i) { // A = L D Lᵀ; above the diagonal, L·D
         for (int j = 0; j < i; ++j) {
@@ -75,7 +75,7 @@ TOILE_LANES void solve(Four (&a)[N][N], Four (&lambda)[N], const Four (&values)[
             a[j][i] = sum;
             a[i][j] = sum * inverse[j];
         }
-        Four diagonal = a[i][i] + larger(compliance[i], a[i][i] / all(cap));
+        Four diagonal = a[i][i] + larger(compliance[i], a[i][i] * perCap);
         for (int k = 0; k < i; ++k) diagonal -= a[i][k] * a[k][i];
         inverse[i] = all(1) / diagonal;
         lambda[i] = -values[i];
@@ -101,8 +101,9 @@ TOILE_LANES Four secant(const TensionLaw& law, int which, Four strain) {
         run = isBeyond ? load(bend.run) : run;
     }
     const Four last = load(curve.last), along = factor + rise * (strain - from) / run;
-    const Four onTangent = (load(curve.stress) + load(curve.tangent) * (strain - last)) / strain;
-    return strain > last ? onTangent : along;
+    const FourFlags isOnTangent = strain > last;
+    if (!any(isOnTangent)) return along;
+    return isOnTangent ? (load(curve.stress) + load(curve.tangent) * (strain - last)) / strain : along;
 }
 
 /// 1/(k h²), infinite without stiffness.
@@ -142,7 +143,8 @@ struct Symmetric {
 /// ∂C/∂f_v = 2(f_u·z.xy + f_v·z.yy).
 void sweepTriangles(Place* places, std::span<const FourTriangles> triangles, double cap, const TensionLaw& law,
                     int first) {
-    const Four one = all(1), two = all(2), smallest = all(1e-8); // of det S: a collapsed triangle keeps finite forces
+    const Four one = all(1), two = all(2), perCap = all(1 / cap);
+    const Four smallest = all(1e-8); // of det S: a collapsed triangle keeps finite forces
     for (const FourTriangles& t : triangles) {
         Corners corners[3];
         for (int i = 0; i < 3; ++i) corners[i] = gather(places, t.particles[i]);
@@ -189,7 +191,7 @@ void sweepTriangles(Place* places, std::span<const FourTriangles> triangles, dou
             for (int l = k; l < 3; ++l)
                 g[l][k] = all(4) * (z[l].xx * mux + z[l].xy * muy + z[l].xy * mvx + z[l].yy * mvy);
         }
-        solve<3>(g, lambda, values, response.compliance, cap);
+        solve<3>(g, lambda, values, response.compliance, perCap);
 
         Symmetric sum;
         for (int k = 0; k < 3; ++k) {
@@ -208,7 +210,7 @@ void sweepTriangles(Place* places, std::span<const FourTriangles> triangles, dou
 
 /// Mean strains as in the triangle, half differences of opposite sides, and the shear.
 void sweepCells(Place* places, std::span<const FourCells> cells, double cap, const TensionLaw& law, int first) {
-    const Four half = all(0.5), one = all(1);
+    const Four half = all(0.5), one = all(1), perCap = all(1 / cap);
     for (const FourCells& cell : cells) {
         Corners corners[4];
         for (int i = 0; i < 4; ++i) corners[i] = gather(places, cell.particles[i]);
@@ -268,7 +270,7 @@ void sweepCells(Place* places, std::span<const FourCells> cells, double cap, con
         g[4][2] = lowerShear - upperShear;
         g[4][3] = leftShear - rightShear;
         g[4][4] = (w0 + w2) * dot(rising, rising) + (w1 + w3) * dot(falling, falling);
-        solve<5>(g, lambda, values, response.compliance, cap);
+        solve<5>(g, lambda, values, response.compliance, perCap);
 
         const Four mean = lambda[0] + coupling * lambda[1];
         const Vectors byLower = lower * (mean + lambda[2]), byUpper = upper * (mean - lambda[2]);
@@ -284,7 +286,8 @@ void sweepCells(Place* places, std::span<const FourCells> cells, double cap, con
 
 /// As cloth::foldAngle has it; a hinge of which a triangle has no plane is left alone.
 void sweepHinges(Place* places, std::span<const FourHinges> hinges, double cap) {
-    const Four one = all(1), tiny = all(1e-30), leastPlane = all(cloth::leastHeight * cloth::leastHeight);
+    const Four one = all(1), perCap = all(1 / cap), tiny = all(1e-30),
+               leastPlane = all(cloth::leastHeight * cloth::leastHeight);
     for (const FourHinges& h : hinges) {
         Corners corners[4];
         for (int i = 0; i < 4; ++i) corners[i] = gather(places, h.particles[i]);
@@ -307,7 +310,7 @@ void sweepHinges(Place* places, std::span<const FourHinges> hinges, double cap) 
         const Vectors gradients[4] = {atC * (s - one) + atD * (t - one), atC * -s - atD * t, atC, atD};
         Four g{};
         for (int i = 0; i < 4; ++i) g += corners[i].inverseMass * dot(gradients[i], gradients[i]);
-        const Four lambda = flat ? Four{} : -angle / (g + larger(load(h.compliance), g / all(cap)));
+        const Four lambda = flat ? Four{} : -angle / (g + larger(load(h.compliance), g * perCap));
         for (int i = 0; i < 4; ++i) {
             const Vectors moved = corners[i].at + gradients[i] * (corners[i].inverseMass * lambda);
             corners[i].at = {flat ? corners[i].at.x : moved.x, flat ? corners[i].at.y : moved.y,

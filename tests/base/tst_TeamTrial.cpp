@@ -19,7 +19,7 @@ int sharedOf(TeamTrial& trial, int steps, double shared, double alone) {
     return count;
 }
 
-constexpr int turns = 10, period = 64; // steps
+constexpr int turns = 10, fewTurns = 4, period = 128; // steps
 
 } // namespace
 
@@ -28,6 +28,7 @@ class tst_TeamTrial : public QObject {
 private slots:
     void bothWaysAreTriedFirst();
     void theFasterWayGoesOn();
+    void whatIsClearIsTriedShortly();
     void aTeamThatBringsLittleRests();
     void slowStepsInTwoPairsDecideNothing();
     void whatLessensWithTimeDecidesNothing();
@@ -44,9 +45,19 @@ void tst_TeamTrial::bothWaysAreTriedFirst() {
 
 void tst_TeamTrial::theFasterWayGoesOn() {
     TeamTrial trial;
-    QCOMPARE(sharedOf(trial, period, 0.7, 1), period - turns / 2);
+    QCOMPARE(sharedOf(trial, period, 0.85, 1), period - turns / 2);
     TeamTrial other;
     QCOMPARE(sharedOf(other, period, 1.1, 1), turns / 2);
+}
+
+/// Two steps alone where each costs half as much again; that sharing is dear is not taken for clear by two pairs.
+void tst_TeamTrial::whatIsClearIsTriedShortly() {
+    TeamTrial trial;
+    QCOMPARE(sharedOf(trial, period, 0.7, 1), period - fewTurns / 2);
+    TeamTrial dear;
+    QCOMPARE(sharedOf(dear, fewTurns, 5, 1), fewTurns / 2);
+    QCOMPARE(sharedOf(dear, turns - fewTurns, 0.9, 1), (turns - fewTurns) / 2);
+    QVERIFY(dear.shares());
 }
 
 void tst_TeamTrial::aTeamThatBringsLittleRests() {
@@ -56,7 +67,7 @@ void tst_TeamTrial::aTeamThatBringsLittleRests() {
 
 /// Of 5 pairs.
 void tst_TeamTrial::slowStepsInTwoPairsDecideNothing() {
-    for (const double shared : {0.7, 1.1}) {
+    for (const double shared : {0.85, 1.1}) {
         TeamTrial trial;
         for (int step = 0; step < turns; ++step) {
             const bool isSlow = step == 1 || step == 4 || step == 5;
@@ -67,7 +78,7 @@ void tst_TeamTrial::slowStepsInTwoPairsDecideNothing() {
 }
 
 void tst_TeamTrial::whatLessensWithTimeDecidesNothing() {
-    for (const double shared : {0.8, 1.05}) {
+    for (const double shared : {0.85, 1.05}) {
         TeamTrial trial;
         double seconds = 1;
         for (int step = 0; step < turns; ++step, seconds *= 0.92) trial.took(seconds * (trial.shares() ? shared : 1));
@@ -77,9 +88,9 @@ void tst_TeamTrial::whatLessensWithTimeDecidesNothing() {
 
 void tst_TeamTrial::whatHasChangedIsNoticed() {
     TeamTrial trial;
-    (void)sharedOf(trial, period, 0.7, 1);
+    (void)sharedOf(trial, period, 0.85, 1);
     QCOMPARE(sharedOf(trial, period, 1.1, 1), turns / 2);
-    QCOMPARE(sharedOf(trial, period, 0.7, 1), period - turns / 2);
+    QCOMPARE(sharedOf(trial, period, 0.85, 1), period - turns / 2);
 }
 
 TOILE_TEST(tst_TeamTrial)
