@@ -5,6 +5,7 @@
 #include "core/base/UnionFind.h"
 
 namespace toile::simulation {
+
 ParticleMap particleMap(const meshing::GarmentMesh& mesh, const std::vector<bool>& mergedSeams) {
     expects(mergedSeams.size() == mesh.seams.size(), "one flag per seam");
     ParticleMap map;
